@@ -1,0 +1,11 @@
+# Imported targets for OGRE whose headers count as system headers: OGRE's own warnings are not ours.
+
+function(lixel_ogre_target name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;INCLUDES" ${ARGN})
+  add_library(${name} INTERFACE IMPORTED GLOBAL)
+  target_link_libraries(${name} INTERFACE ${ARG_LIBRARIES})
+  target_include_directories(${name} SYSTEM INTERFACE ${ARG_INCLUDES})
+endfunction()
+
+find_library(LIXEL_OGRE_MAIN OgreMain REQUIRED)
+lixel_ogre_target(Lixel::OgreMain LIBRARIES "${LIXEL_OGRE_MAIN}" INCLUDES "${OGRE_INCLUDE_DIRS}")

@@ -1,0 +1,49 @@
+#include "Plugin.h"
+
+#include <Lixel/material/ShadowParameters.h>
+#include <Lixel/setup/LightGuard.h>
+
+#include <OgreRoot.h>
+#include <OgreSceneManager.h>
+
+namespace Lixel {
+
+Plugin::Plugin() = default;
+Plugin::~Plugin() = default;
+
+const Ogre::String& Plugin::getName() const {
+    static const Ogre::String name = "Lixel";
+    return name;
+}
+
+void Plugin::initialise() {
+    mShadowParameters = std::make_unique<ShadowParameters>();
+    Ogre::Root::getSingleton().addFrameListener(this);
+}
+
+void Plugin::shutdown() {
+    Ogre::Root::getSingleton().removeFrameListener(this);
+    mShadowParameters.reset();
+}
+
+bool Plugin::frameStarted(const Ogre::FrameEvent&) {
+    for (const auto& [name, manager] : Ogre::Root::getSingleton().getSceneManagers())
+        guardLights(*manager);
+    return true;
+}
+
+} // namespace Lixel
+
+namespace {
+std::unique_ptr<Lixel::Plugin> thePlugin;
+} // namespace
+
+extern "C" __attribute__((visibility("default"))) void dllStartPlugin() {
+    thePlugin = std::make_unique<Lixel::Plugin>();
+    Ogre::Root::getSingleton().installPlugin(thePlugin.get());
+}
+
+extern "C" __attribute__((visibility("default"))) void dllStopPlugin() {
+    Ogre::Root::getSingleton().uninstallPlugin(thePlugin.get());
+    thePlugin.reset();
+}

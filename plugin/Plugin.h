@@ -1,0 +1,31 @@
+#pragma once
+
+#include <OgreFrameListener.h>
+#include <OgrePlugin.h>
+
+#include <memory>
+
+namespace Lixel {
+
+class ShadowParameters;
+
+/// Lixel as OGRE's plugin: registers what materials need, and nothing else.
+class Plugin : public Ogre::Plugin, public Ogre::FrameListener {
+public:
+    Plugin();
+    ~Plugin() override;
+
+    const Ogre::String& getName() const override;
+    void install() override {}
+    void initialise() override;
+    void shutdown() override;
+    void uninstall() override {}
+
+    /// Guards the lights of scene managers that no setup has been used in yet.
+    bool frameStarted(const Ogre::FrameEvent& event) override;
+
+private:
+    std::unique_ptr<ShadowParameters> mShadowParameters;
+};
+
+} // namespace Lixel

@@ -1,0 +1,305 @@
+#include "fit/Fit.h"
+
+#include "fit/Warp.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <numbers>
+
+namespace Lixel {
+namespace {
+
+/// Widest cone of a single map, as half angle: tan(89.5°) = 115 spreads the map, but no plane
+/// holds the rays of 90°.
+constexpr double WidestHalfAngle = 89.5 * std::numbers::pi / 180.0;
+
+/// A new orientation must save this much of the map's area before the old one is given up:
+/// shimmering from a turned texel grid is worse than a tenth of its texels.
+constexpr double OrientationGain = 0.10;
+
+/// Beyond filter radius and the guard texel, for rounding of a map coordinate to float: half a unit
+/// in the last place of 4096 texels is 2^-12; this is 64 times as much.
+constexpr double RoundingTexels = 1.0 / 64.0;
+
+/// A focus region narrower than this fraction of its length is widened to it, one texel of a map
+/// of 4096: thinner regions are rounding (a caster seen edge-on, a flat receiver).
+constexpr double LeastAspect = 1.0 / 4096.0;
+
+/// A focus region that is a point gets this extent, relative to its distance from the viewer.
+constexpr double LeastExtent = 1e-9;
+
+/// Least depth range, as a fraction of the focus region's size: the light along a flat receiver.
+constexpr double LeastDepthRange = 1e-3;
+
+bool finite(const Mat4& m) {
+    return m.allFinite();
+}
+
+/// Whether every number that a fit depends on is usable.
+bool valid(const ShadowProblem& problem) {
+    const ShadowLight& light = problem.light;
+    const ShadowViewer& viewer = problem.viewer;
+    if (problem.casters == nullptr || problem.receivers == nullptr) return false;
+    if (problem.mapWidth < 1 || problem.mapHeight < 1) return false;
+    if (!(problem.filterRadius >= 0.0)) return false;
+    if (2.0 * (problem.filterRadius + 1.0 + RoundingTexels) >=
+        std::min(problem.mapWidth, problem.mapHeight))
+        return false;
+    if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return false;
+    if (!(viewer.shadowDistance >= 0.0)) return false;
+    if (std::abs(viewer.viewFromWorld.determinant()) < 1e-9) return false;
+    if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0)) return false;
+    if (light.kind != LightKind::Directional) {
+        if (!light.wsPosition.allFinite()) return false;
+        if (!(light.nearDistance > 0.0) || !std::isfinite(light.nearDistance)) return false;
+        if (!(light.range > light.nearDistance)) return false;
+        if (!(light.outerHalfAngle > 0.0) || !(light.outerHalfAngle < std::numbers::pi))
+            return false;
+    }
+    return problem.casters->invalid() == 0 && problem.receivers->invalid() == 0;
+}
+
+/// Chooses the map's axes around the warped region: the smallest rectangle, unless the last
+/// frame's orientation is nearly as good.
+OrientedRectangle chooseRectangle(const Polygon2& warped, FitState& state) {
+    OrientedRectangle best = smallestRectangle(warped);
+    if (state.mapAngle) {
+        const OrientedRectangle kept = boundsAt(warped, *state.mapAngle);
+        if (kept.area() * (1.0 - OrientationGain) <= best.area())
+            best = kept;
+        else
+            ++state.orientationJumps;
+    }
+    state.mapAngle = best.angle;
+    return best;
+}
+
+/// The affine map that puts the rectangle into one axis of the map, `border` texels inside it.
+struct Axis {
+    double scale;
+    double offset;
+    Axis(double lower, double upper, double size, double border) {
+        // The region spans size - 2 border texels of the map's size, and -1 … 1 is all of it.
+        scale = 2.0 * (size - 2.0 * border) / size / (upper - lower);
+        offset = -scale * (lower + upper) / 2.0;
+    }
+};
+
+/// Widens a range to a least width about its middle.
+void widen(double& lower, double& upper, double least) {
+    if (upper - lower >= least) return;
+    const double middle = (lower + upper) / 2.0;
+    lower = middle - least / 2.0;
+    upper = middle + least / 2.0;
+}
+
+/// Rows x, y and w of the map: the homography H, acting on ℓ.
+///
+/// @param liUnit a length in the light image that is not zero, should the region be a point.
+Mat3 homography(const ShadowProblem& problem, const Vec2& warp, const Vec2& centre,
+                OrientedRectangle rectangle, double liUnit) {
+    const Vec2 sides = rectangle.max - rectangle.min;
+    const double least = std::max(sides.maxCoeff() * LeastAspect, LeastExtent * liUnit);
+    widen(rectangle.min.x(), rectangle.max.x(), least);
+    widen(rectangle.min.y(), rectangle.max.y(), least);
+    const double border = problem.filterRadius + 1.0 + RoundingTexels;
+    const Axis x(rectangle.min.x(), rectangle.max.x(), problem.mapWidth, border);
+    const Axis y(rectangle.min.y(), rectangle.max.y(), problem.mapHeight, border);
+
+    // q - c, warped: (q - c) / (1 + w . (q - c)), as a homography of ℓ = (q, 1).
+    Mat3 warped = Mat3::Identity();
+    warped.topRightCorner<2, 1>() = -centre;
+    warped.row(2) << warp.x(), warp.y(), 1.0 - warp.dot(centre);
+    const double cosine = std::cos(rectangle.angle);
+    const double sine = std::sin(rectangle.angle);
+    Mat3 affine;
+    affine << x.scale * cosine, x.scale * sine, x.offset, //
+        -y.scale * sine, y.scale * cosine, y.offset,      //
+        0.0, 0.0, 1.0;
+    return affine * warped;
+}
+
+/// The focus region and what a receiver's filter reaches beyond it, in the light image: the warped
+/// hull's sum with a rectangle of the map's border, unwarped.
+void growByBorder(const ShadowProblem& problem, const OrientedRectangle& rectangle,
+                  const Vec2& warp, const Vec2& centre, FitState& state, Polygon2& grown) {
+    const double border = problem.filterRadius + 1.0 + RoundingTexels;
+    const Vec2 u(std::cos(rectangle.angle), std::sin(rectangle.angle));
+    const Vec2 v(-u.y(), u.x());
+    const Vec2 sides = rectangle.max - rectangle.min;
+    const double bx = border * sides.x() / (problem.mapWidth - 2.0 * border);
+    const double by = border * sides.y() / (problem.mapHeight - 2.0 * border);
+    // 1 - w . p is one over the denominator. A few texels beyond the far end it may reach the
+    // horizon; half the hull's own least value keeps the polygon finite, and still contains it.
+    double horizon = 1.0;
+    for (const Vec2& p : state.warped)
+        horizon = std::min(horizon, 1.0 - warp.dot(p));
+    std::vector<Vec2>& points = state.scratch.points;
+    points.clear();
+    for (const Vec2& p : state.warped)
+        for (const double sx : {-bx, bx})
+            for (const double sy : {-by, by}) {
+                const Vec2 moved = p + sx * u + sy * v;
+                points.push_back(centre + moved / std::max(1.0 - warp.dot(moved), 0.5 * horizon));
+            }
+    convexHull(points, grown);
+}
+
+/// Row z of clip space, as (coefficient of depth, constant), for depths along the light's axis, so
+/// that z / w stays within -1 and 1 wherever w / (depth or 1) >= leastDenominator.
+Vec2 depthRow(bool directional, double lsNear, double lsFar, double leastDenominator) {
+    const double range = lsFar - lsNear;
+    // Directional: linear. Local: the perspective one, affine in 1 / depth after the division.
+    const Vec2 row = directional ? Vec2(2.0, -(lsFar + lsNear)) / range
+                                 : Vec2(lsFar + lsNear, -2.0 * lsFar * lsNear) / range;
+    return row * leastDenominator;
+}
+
+} // namespace
+
+ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
+                      const std::function<WarpChoice(const WarpContext&)>& rule) noexcept {
+    ShadowFit fit;
+    const auto stop = [&](FitReason reason) {
+        fit.reason = reason;
+        return fit;
+    };
+    if (!valid(problem)) return stop(FitReason::InvalidInput);
+    if (problem.light.kind == LightKind::Point ||
+        (problem.light.kind == LightKind::Spot && problem.light.outerHalfAngle > WidestHalfAngle))
+        return stop(FitReason::UnsupportedLight);
+
+    const LightImage image(problem.light);
+    FocusRegion& region = state.region;
+    findFocusRegion(problem, image, state.scratch, region);
+    if (!hasMap(region.reason)) return stop(region.reason);
+
+    // The warp, and its safety.
+    const Mat4 worldFromView = problem.viewer.viewFromWorld.inverse();
+    const WarpContext context{
+        .problem = problem,
+        .image = image,
+        .region = region,
+        .viewer = image.oriented(image.lsFromPoint(worldFromView.topRightCorner<3, 1>())),
+        .viewDirection = image.orientedDirection(
+            image.lsFromDirection(-worldFromView.block<3, 1>(0, 2).stableNormalized())),
+        .perspective = problem.viewer.clipFromView.row(3).head<3>().norm() >
+                       1e-9 * std::abs(problem.viewer.clipFromView(3, 3)),
+    };
+    WarpChoice choice = rule(context);
+    if (!choice.liWarp.allFinite()) choice = {Vec2::Zero(), FitReason::WarpClamped};
+    const double size =
+        (support(region.liHull, Vec2::UnitX()) + support(region.liHull, -Vec2::UnitX())) +
+        (support(region.liHull, Vec2::UnitY()) + support(region.liHull, -Vec2::UnitY()));
+    const double thickness = size / std::max(problem.mapWidth, problem.mapHeight);
+    if (pullIntoSafeSet(region.liHull, region.liCentre, thickness, choice.liWarp) < 1.0)
+        choice.reason = FitReason::WarpClamped;
+
+    // The affine fit around the warped region.
+    state.warped.clear();
+    double leastDenominator = 1.0;
+    for (const Vec2& q : region.liHull) {
+        const double denominator = 1.0 + choice.liWarp.dot(q - region.liCentre);
+        leastDenominator = std::min(leastDenominator, denominator);
+        state.warped.push_back((q - region.liCentre) / denominator);
+    }
+    const OrientedRectangle rectangle = chooseRectangle(state.warped, state);
+    const double liUnit =
+        image.directional() ? std::max(region.liCentre.norm(), region.vsReceiverFar) : 1.0;
+    const Mat3 h = homography(problem, choice.liWarp, region.liCentre, rectangle, liUnit);
+
+    // Depth: what receives, and no more, where casters before it are clamped onto its near end.
+    double lsNear = region.lsReceiverNear;
+    double lsFar = region.lsReceiverFar;
+    if (!problem.depthClamp) lsNear = std::min(lsNear, region.lsCasterNear);
+    const double reach = image.directional() ? size : size * lsFar;
+    const double slack = std::max(LeastDepthRange * (reach + (lsFar - lsNear)),
+                                  1e-9 * std::max(std::abs(lsNear), std::abs(lsFar)));
+    lsNear -= slack;
+    lsFar += slack;
+    if (!image.directional()) lsNear = std::max(lsNear, 0.5 * problem.light.nearDistance);
+    const Vec2 depth = depthRow(image.directional(), lsNear, lsFar, leastDenominator);
+
+    // ℓ = (x, y, 1) or (x, y, -z), and depth = -z, in light space.
+    const int third = image.directional() ? 3 : 2;
+    const double toThird = image.directional() ? 1.0 : -1.0;
+    Mat4 clip = Mat4::Zero();
+    for (int row = 0; row < 3; ++row) {
+        const int target = row == 2 ? 3 : row;
+        clip(target, 0) = h(row, 0);
+        clip(target, 1) = h(row, 1);
+        clip(target, third) = toThird * h(row, 2);
+    }
+    clip(2, 2) = -depth.x();
+    clip(2, 3) = depth.y();
+
+    fit.directional = image.directional();
+    fit.wsEye = image.wsEye();
+    fit.lsFromWs = image.lsFromWs();
+    fit.clipFromLight = clip;
+    Mat4 lightFromWorld = Mat4::Identity();
+    lightFromWorld.topLeftCorner<3, 3>() = fit.lsFromWs;
+    lightFromWorld.topRightCorner<3, 1>() = -fit.lsFromWs * fit.wsEye;
+    fit.clipFromWorld = clip * lightFromWorld;
+    fit.lsNear = lsNear;
+    fit.lsFar = lsFar;
+    const double zNear = depth.x() * lsNear + depth.y();
+    const double zFar = depth.x() * lsFar + depth.y();
+    fit.depthScale = 1.0 / (zFar - zNear);
+    fit.depthOffset = -zNear * fit.depthScale;
+    fit.depthPerWorldUnit = 1.0 / (lsFar - lsNear);
+    fit.liCentre = region.liCentre;
+    fit.liWarp = choice.liWarp;
+    fit.mapAngle = rectangle.angle;
+    Polygon2& focus = state.scratch.polygon;
+    growByBorder(problem, rectangle, choice.liWarp, region.liCentre, state, focus);
+    simplifyOutward(focus, FocusPolygon::Capacity);
+    if (focus.size() > FocusPolygon::Capacity) return stop(FitReason::InvalidInput);
+    fit.liFocus.count = focus.size();
+    std::copy(focus.begin(), focus.end(), fit.liFocus.vertices.begin());
+
+    if (!finite(fit.clipFromWorld) || !std::isfinite(fit.depthScale) ||
+        !std::isfinite(fit.depthOffset) || !std::isfinite(fit.depthPerWorldUnit))
+        return stop(FitReason::InvalidInput);
+    fit.reason = choice.reason != FitReason::None ? choice.reason : region.reason;
+    return fit;
+}
+
+const char* toString(FitReason reason) noexcept {
+    switch (reason) {
+    case FitReason::None:
+        return "none";
+    case FitReason::LightAlongView:
+        return "light along the view";
+    case FitReason::WarpClamped:
+        return "warp clamped";
+    case FitReason::UnboundedBody:
+        return "a body without bounds";
+    case FitReason::NoReceivers:
+        return "no receiver in view";
+    case FitReason::NoCasters:
+        return "no caster";
+    case FitReason::NothingShadowed:
+        return "nothing in view is shadowed";
+    case FitReason::Unbounded:
+        return "a receiver without bounds and a view without end";
+    case FitReason::InvalidInput:
+        return "invalid input";
+    case FitReason::UnsupportedLight:
+        return "this kind of light has no single map";
+    }
+    return "unknown";
+}
+
+Mat4 texelMatrix(const ShadowFit& fit, int mapWidth, int mapHeight) noexcept {
+    if (!fit.hasMap()) return Mat4::Identity();
+    // x -> M^-1 (M x + c w), c one texel in clip space: Kozlov's (P M + c) M^-1 with the division
+    // by w multiplied out.
+    Mat4 shift = Mat4::Identity();
+    shift(0, 3) = 2.0 / mapWidth;
+    shift(1, 3) = 2.0 / mapHeight;
+    return fit.clipFromWorld.inverse() * shift * fit.clipFromWorld;
+}
+
+} // namespace Lixel

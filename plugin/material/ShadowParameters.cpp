@@ -1,0 +1,131 @@
+#include "material/ShadowParameters.h"
+
+#include "scene/OgreMath.h"
+
+#include <OgreCamera.h>
+#include <OgreGpuProgramManager.h>
+#include <OgreLight.h>
+#include <OgreSceneManager.h>
+
+namespace Lixel {
+namespace {
+
+const char* const SharedParameters = "Lixel/ModulativeReceiver";
+
+/// Depth that interpolation and the slope's screen derivatives may be wrong by: depths are at most
+/// 1, with 24 bits; where a texel covers 32 pixels, their difference over one pixel is known to
+/// 2^-24, and over half a texel to 2^-20. Twice that.
+constexpr double RoundingBias = 0x1p-19;
+
+/// What a receiver needs to know.
+struct ReceiverParameters {
+    Ogre::Vector4 rowU, rowV, rowW, rowDepth, sizeBias;
+};
+
+/// Parameters under which everything is lit: w is -1 everywhere.
+ReceiverParameters lit() {
+    const Ogre::Vector4 zero(0, 0, 0, 0);
+    return {zero, zero, Ogre::Vector4(0, 0, 0, -1), zero, Ogre::Vector4(1, 1, 0, 0)};
+}
+
+Ogre::Vector4 toOgreRow(const Eigen::RowVector4d& row) {
+    return {static_cast<Ogre::Real>(row[0]), static_cast<Ogre::Real>(row[1]),
+            static_cast<Ogre::Real>(row[2]), static_cast<Ogre::Real>(row[3])};
+}
+
+ReceiverParameters receiverParameters(const ShadowMap& map) {
+    if (!map.fit.hasMap()) return lit();
+    // Programs see world positions relative to the viewer with camera-relative rendering, else
+    // absolute ones; the fit's are relative to wsOrigin. Rounded to float only here.
+    const Vec3 wsBase = map.sceneManager.getCameraRelativeRendering()
+                            ? toDouble(map.viewer.getDerivedPosition())
+                            : Vec3(Vec3::Zero());
+    Mat4 originFromBase = Mat4::Identity();
+    originFromBase.topRightCorner<3, 1>() = wsBase - map.wsOrigin;
+    const Mat4 clip = map.fit.clipFromWorld * originFromBase;
+
+    const Eigen::RowVector4d w = clip.row(3);
+    Eigen::RowVector4d depth = map.fit.depthScale * clip.row(2);
+    depth[3] += map.fit.depthOffset;
+    // OGRE's render textures have v downwards on every render system.
+    return {toOgreRow(0.5 * (w + clip.row(0))), toOgreRow(0.5 * (w - clip.row(1))), toOgreRow(w),
+            toOgreRow(depth),
+            Ogre::Vector4(
+                static_cast<Ogre::Real>(map.width), static_cast<Ogre::Real>(map.height),
+                static_cast<Ogre::Real>(map.depthBias * map.fit.depthPerWorldUnit + RoundingBias),
+                static_cast<Ogre::Real>(map.fit.depthPerWorldUnit))};
+}
+
+void bind(Ogre::Light& light, const ReceiverParameters& p) {
+    light.setCustomParameter(LP_MAP_ROW_U, p.rowU);
+    light.setCustomParameter(LP_MAP_ROW_V, p.rowV);
+    light.setCustomParameter(LP_MAP_ROW_W, p.rowW);
+    light.setCustomParameter(LP_MAP_ROW_DEPTH, p.rowDepth);
+    light.setCustomParameter(LP_MAP_SIZE_BIAS, p.sizeBias);
+}
+
+} // namespace
+
+/// One scene manager's receivers: unshadowed until a map is fitted, and modulative ones served.
+class ShadowParameters::SceneListener : public Ogre::SceneManager::Listener {
+public:
+    explicit SceneListener(ShadowParameters& owner) : mOwner(owner) {}
+
+    /// A program keeps the last light's value of a custom parameter that the next light lacks, so
+    /// every light gets one, which says "lit", before maps are fitted.
+    void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
+        if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
+        mMaps.clear();
+        for (const auto& [name, object] :
+             source->getMovableObjects(Ogre::LightFactory::FACTORY_TYPE_NAME))
+            bind(static_cast<Ogre::Light&>(*object), lit());
+    }
+
+    void shadowTextureReceiverPreViewProj(Ogre::Light* light, Ogre::Frustum*) override {
+        const auto found = mMaps.find(light);
+        const ReceiverParameters p = found != mMaps.end() ? found->second : lit();
+        const Ogre::GpuSharedParametersPtr shared =
+            Ogre::GpuProgramManager::getSingleton().getSharedParameters(SharedParameters);
+        shared->setNamedConstant("lixelRowU", p.rowU);
+        shared->setNamedConstant("lixelRowV", p.rowV);
+        shared->setNamedConstant("lixelRowW", p.rowW);
+        shared->setNamedConstant("lixelRowDepth", p.rowDepth);
+        shared->setNamedConstant("lixelSizeBias", p.sizeBias);
+        shared->setNamedConstant("lixelLight", light->getAs4DVector(true));
+    }
+
+    void sceneManagerDestroyed(Ogre::SceneManager* source) override {
+        mOwner.mListeners.erase(source); // destroys this
+    }
+
+    std::map<const Ogre::Light*, ReceiverParameters> mMaps;
+
+private:
+    ShadowParameters& mOwner;
+};
+
+ShadowParameters::ShadowParameters() {
+    addShadowMapObserver(*this);
+}
+
+ShadowParameters::~ShadowParameters() {
+    for (const auto& [manager, listener] : mListeners)
+        manager->removeListener(listener.get());
+}
+
+void ShadowParameters::shadowMapFitted(const ShadowMap& map) {
+    std::unique_ptr<SceneListener>& listener = mListeners[&map.sceneManager];
+    if (!listener) {
+        listener = std::make_unique<SceneListener>(*this);
+        map.sceneManager.addListener(listener.get());
+    }
+    const ReceiverParameters parameters = receiverParameters(map);
+    bind(map.light, parameters);
+    map.light.setCustomParameter(LP_CASTER_DEPTH,
+                                 Ogre::Vector4(static_cast<Ogre::Real>(map.fit.depthScale),
+                                               static_cast<Ogre::Real>(map.fit.depthOffset), 0, 0));
+    // Modulative passes see one map a light.
+    if (map.iteration == 0) listener->mMaps[&map.light] = parameters;
+}
+
+} // namespace Lixel

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "setup/ShadowMapObserver.h"
+
+#include <map>
+#include <memory>
+
+namespace Ogre {
+class SceneManager;
+} // namespace Ogre
+
+namespace Lixel {
+
+/** Custom parameters of a light that carry its shadow map to programs.
+
+    In a script: `param_named_auto NAME light_custom N` with N = index * 65536 + the light's index
+    in the pass (0 in a per-light pass). materials/README.md lists the numbers.
+*/
+enum LightParameter : unsigned short {
+    /// Rows of the receiver's matrix: (u w, v w, w, depth) from a world position, u and v in
+    /// texture coordinates. w <= 0 means "not in the map", so lit.
+    LP_MAP_ROW_U = 100,
+    LP_MAP_ROW_V = 101,
+    LP_MAP_ROW_W = 102,
+    LP_MAP_ROW_DEPTH = 103,
+    /// (width, height, depth bias in units of stored depth, depth per world unit).
+    LP_MAP_SIZE_BIAS = 104,
+    /// Stored depth = x * clip z + y, for casters.
+    LP_CASTER_DEPTH = 105,
+};
+
+/** Binds each shadow map to the materials that use it, by itself.
+
+    Light custom parameters reach casters and additive and integrated receivers; modulative
+    receivers, which OGRE draws without lights, read the shared parameters
+    `Lixel/ModulativeReceiver`, set again right before each of their passes.
+*/
+class LIXEL_API ShadowParameters : public ShadowMapObserver {
+public:
+    ShadowParameters();
+    ~ShadowParameters() override;
+    void shadowMapFitted(const ShadowMap& map) override;
+
+private:
+    class SceneListener;
+    std::map<Ogre::SceneManager*, std::unique_ptr<SceneListener>> mListeners;
+};
+
+} // namespace Lixel

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "fit/Types.h"
+
+#include <OgreMatrix4.h>
+#include <OgreVector.h>
+
+/// Conversions between OGRE's single and the fit's double precision.
+namespace Lixel {
+
+inline Vec3 toDouble(const Ogre::Vector3& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+inline Mat4 toDouble(const Ogre::Matrix4& m) {
+    Mat4 result;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            result(row, column) = m[row][column];
+    return result;
+}
+
+inline Ogre::Vector3 toOgre(const Vec3& v) {
+    return {static_cast<Ogre::Real>(v.x()), static_cast<Ogre::Real>(v.y()),
+            static_cast<Ogre::Real>(v.z())};
+}
+
+inline Ogre::Matrix4 toOgre(const Mat4& m) {
+    Ogre::Matrix4 result;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            result[row][column] = static_cast<Ogre::Real>(m(row, column));
+    return result;
+}
+
+} // namespace Lixel

@@ -1,0 +1,66 @@
+#include "scene/SurveyCache.h"
+
+#include <OgreCamera.h>
+#include <OgreRoot.h>
+#include <OgreSceneManager.h>
+#include <OgreViewport.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+
+namespace Lixel {
+namespace {
+
+/// One scene manager's survey, which ends with the preparation that it was taken for.
+class CachedSurvey : public Ogre::SceneManager::Listener {
+public:
+    const TimedSurvey& get(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
+        const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
+        if (mCamera == &viewer && mViewport == &viewport && mFrame == frame) {
+            mTimed.microseconds = 0.0;
+            return mTimed;
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        mTimed.survey.take(viewer, viewport);
+        const std::chrono::duration<double, std::micro> passed =
+            std::chrono::steady_clock::now() - begin;
+        mTimed.microseconds = passed.count();
+        mCamera = &viewer;
+        mViewport = &viewport;
+        mFrame = frame;
+        return mTimed;
+    }
+
+    void shadowTexturesUpdated(std::size_t) override { mCamera = nullptr; }
+    void sceneManagerDestroyed(Ogre::SceneManager* source) override;
+
+private:
+    TimedSurvey mTimed;
+    const Ogre::Camera* mCamera = nullptr;
+    const Ogre::Viewport* mViewport = nullptr;
+    unsigned long mFrame = 0;
+};
+
+std::map<Ogre::SceneManager*, std::unique_ptr<CachedSurvey>>& cache() {
+    static std::map<Ogre::SceneManager*, std::unique_ptr<CachedSurvey>> surveys;
+    return surveys;
+}
+
+void CachedSurvey::sceneManagerDestroyed(Ogre::SceneManager* source) {
+    cache().erase(source); // destroys this
+}
+
+} // namespace
+
+const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
+    Ogre::SceneManager* const manager = viewer.getSceneManager();
+    std::unique_ptr<CachedSurvey>& entry = cache()[manager];
+    if (!entry) {
+        entry = std::make_unique<CachedSurvey>();
+        manager->addListener(entry.get());
+    }
+    return entry->get(viewer, viewport);
+}
+
+} // namespace Lixel

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scene/Survey.h"
+
+namespace Lixel {
+
+/// A survey and what it took to make it.
+struct TimedSurvey {
+    Survey survey;
+    /// CPU time of the walk in microseconds, 0 for whoever got it ready made.
+    double microseconds = 0.0;
+};
+
+/** The survey of this preparation of shadow textures, taken on the first call.
+
+    One survey serves all lights of one preparation: it stays valid until the scene manager has
+    updated its shadow textures, or another camera or frame begins. Neither frame number nor camera
+    alone would do: a camera can be drawn twice a frame, into two targets, with moved objects.
+
+    @return a reference that holds until the next call for the same scene manager.
+*/
+LIXEL_API const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport);
+
+} // namespace Lixel

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "fit/FitState.h"
+
+// OgreShadowCameraSetup.h of 1.12 needs it and does not include it.
+#include <OgreSharedPtr.h>
+
+#include <OgreShadowCameraSetup.h>
+
+#include <memory>
+
+namespace Lixel {
+
+/** Base of all setups that fit a shadow map: survey, fit, shadow camera, caster volume, observers.
+
+    Enable one with Light::setCustomShadowCameraSetup or SceneManager::setShadowCameraSetup. One
+    instance serves any number of lights, cameras and scene managers: what it remembers from frame
+    to frame is kept per light, viewer and map.
+
+    The far end of shadows is the light's (or scene manager's) shadow far distance, where one is
+    set, else the viewer's far plane. The near end of a local light is its shadow near clip
+    distance, else the viewer's.
+
+    Where there is no map to draw (a light that shadows nothing in view, or bad input) no caster is
+    drawn, everything is lit, and the log says why once.
+*/
+class LIXEL_API FittedShadowCameraSetup : public Ogre::ShadowCameraSetup {
+public:
+    ~FittedShadowCameraSetup() override;
+    FittedShadowCameraSetup(const FittedShadowCameraSetup&) = delete;
+    FittedShadowCameraSetup& operator=(const FittedShadowCameraSetup&) = delete;
+
+    /// How far receivers filter, in texels: the map keeps this and one texel more free around what
+    /// matters. 0 for one nearest tap, 1 for bilinear comparison. Default 1.
+    /// @throws Ogre::InvalidParametersException unless 0 <= texels <= 64.
+    void setFilterRadius(Ogre::Real texels);
+    Ogre::Real getFilterRadius() const { return mFilterRadius; }
+
+    /** How near a caster must be to a receiver, along the light's axis, to be taken for the
+        receiver itself, in world units (Gusev 2007, §3.10). Default 0: receivers already correct
+        for the slope of their own surface within a texel, so this is for surfaces that are not
+        planar at the scale of a texel.
+        @throws Ogre::InvalidParametersException unless finite and >= 0. */
+    void setDepthBias(Ogre::Real worldUnits);
+    Ogre::Real getDepthBias() const { return mDepthBias; }
+
+    void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
+                         const Ogre::Viewport* viewport, const Ogre::Light* light,
+                         Ogre::Camera* shadowCamera, std::size_t iteration) const final;
+
+protected:
+    FittedShadowCameraSetup();
+
+    /// The technique: one map of the problem. @see fit/ShadowFit.h
+    virtual ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept = 0;
+
+private:
+    struct Memory;
+    std::unique_ptr<Memory> mMemory;
+    Ogre::Real mFilterRadius = 1;
+    Ogre::Real mDepthBias = 0;
+};
+
+} // namespace Lixel

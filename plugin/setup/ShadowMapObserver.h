@@ -1,0 +1,48 @@
+#pragma once
+
+#include "fit/ShadowFit.h"
+
+namespace Ogre {
+class Camera;
+class Light;
+class SceneManager;
+} // namespace Ogre
+
+namespace Lixel {
+
+/// What was decided for one shadow map, right before its casters are drawn.
+struct ShadowMap {
+    Ogre::SceneManager& sceneManager;
+    const Ogre::Camera& viewer;
+    Ogre::Light& light;
+    Ogre::Camera& shadowCamera;
+    /// Which of the light's maps this is.
+    std::size_t iteration;
+    /// The matrices, and why they are as they are. Without a map nothing is drawn, and all is lit.
+    const ShadowFit& fit;
+    /// The fit's origin in the world.
+    Vec3 wsOrigin;
+    int width;
+    int height;
+    /// Receivers nearer than this to a caster along the light's axis stay lit, in world units.
+    double depthBias;
+    /// CPU time in microseconds; the survey's is 0 where this map shares another's.
+    double surveyMicroseconds;
+    double fitMicroseconds;
+};
+
+/// Whoever wants to know about shadow maps: materials' parameters, statistics.
+class LIXEL_API ShadowMapObserver {
+public:
+    virtual ~ShadowMapObserver();
+    /// A map was fitted. Called inside OGRE's preparation of shadow textures: draw nothing.
+    virtual void shadowMapFitted(const ShadowMap& map) = 0;
+};
+
+/// Observers are called in the order in which they were added. Adding one twice has no effect.
+LIXEL_API void addShadowMapObserver(ShadowMapObserver& observer);
+LIXEL_API void removeShadowMapObserver(ShadowMapObserver& observer);
+/// For those who make shadow maps: tells every observer.
+LIXEL_API void publishShadowMap(const ShadowMap& map);
+
+} // namespace Lixel

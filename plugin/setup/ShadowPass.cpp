@@ -1,0 +1,70 @@
+#include "setup/ShadowPass.h"
+
+#include <OgreCamera.h>
+#include <OgreRenderSystem.h>
+#include <OgreRenderTarget.h>
+#include <OgreRenderTargetListener.h>
+#include <OgreRoot.h>
+#include <OgreViewport.h>
+
+#include <map>
+
+namespace Lixel {
+namespace {
+
+/// One for all targets, and never destroyed before them: a render target does not tell its
+/// listeners when it goes.
+class ShadowPassListener : public Ogre::RenderTargetListener {
+public:
+    void arm(Ogre::Camera& camera) {
+        Ogre::RenderTarget* const target = camera.getViewport()->getTarget();
+        mArmed[target] = &camera;
+        target->addListener(this); // once, however often it is called
+    }
+
+    void preRenderTargetUpdate(const Ogre::RenderTargetEvent& event) override {
+        if (mArmed.count(event.source) != 0) setDepthClamp(true);
+    }
+
+    void postRenderTargetUpdate(const Ogre::RenderTargetEvent& event) override {
+        const auto armed = mArmed.find(event.source);
+        if (armed == mArmed.end()) return;
+        setDepthClamp(false);
+        armed->second->setCullingFrustum(nullptr);
+        armed->second->getViewport()->setAutoUpdated(true);
+        mArmed.erase(armed);
+    }
+
+private:
+    static void setDepthClamp(bool enabled) {
+        if (canClampDepth()) Ogre::Root::getSingleton().getRenderSystem()->_setDepthClamp(enabled);
+    }
+
+    std::map<Ogre::RenderTarget*, Ogre::Camera*> mArmed;
+};
+
+ShadowPassListener& listener() {
+    static ShadowPassListener instance;
+    return instance;
+}
+
+} // namespace
+
+bool canClampDepth() {
+    const Ogre::RenderSystem* const system = Ogre::Root::getSingleton().getRenderSystem();
+    return system != nullptr && system->getCapabilities() != nullptr &&
+           system->getCapabilities()->hasCapability(Ogre::RSC_DEPTH_CLAMP);
+}
+
+void armShadowPass(Ogre::Camera& shadowCamera) {
+    listener().arm(shadowCamera);
+}
+
+void skipShadowPass(Ogre::Camera& shadowCamera) {
+    Ogre::Viewport* const viewport = shadowCamera.getViewport();
+    viewport->clear(Ogre::FBT_COLOUR | Ogre::FBT_DEPTH, Ogre::ColourValue::White);
+    viewport->setAutoUpdated(false);
+    listener().arm(shadowCamera);
+}
+
+} // namespace Lixel

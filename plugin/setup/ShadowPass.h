@@ -1,0 +1,26 @@
+#pragma once
+
+namespace Ogre {
+class Camera;
+} // namespace Ogre
+
+namespace Lixel {
+
+/** Prepares the next drawing of a shadow camera's texture, and undoes it right afterwards.
+
+    Shadow textures and their cameras are shared with whatever setup comes next, OGRE's own
+    included, so nothing may stay behind: the culling frustum, depth clamping and the viewport's
+    auto-update are all set back when the texture has been drawn.
+*/
+
+/// Casters nearer than the near plane are clamped onto it instead of clipped, where the render
+/// system can; and the camera's culling frustum is taken off it after the pass.
+void armShadowPass(Ogre::Camera& shadowCamera);
+
+/// The texture is cleared to "lit" and no caster is drawn into it.
+void skipShadowPass(Ogre::Camera& shadowCamera);
+
+/// Whether the render system clamps depth.
+bool canClampDepth();
+
+} // namespace Lixel

@@ -1,0 +1,12 @@
+#include "setup/UniformShadowCameraSetup.h"
+
+#include "fit/Uniform.h"
+
+namespace Lixel {
+
+ShadowFit UniformShadowCameraSetup::fit(const ShadowProblem& problem,
+                                        FitState& state) const noexcept {
+    return fitUniform(problem, state);
+}
+
+} // namespace Lixel

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "fit/Xpsm.h"
+#include "setup/FittedShadowCameraSetup.h"
+
+namespace Lixel {
+
+/** Extended perspective shadow maps (Gusev 2007): more texels near the viewer, none lost to
+    casters behind it. The defaults need no tuning to the scene's scale. @see fit/Xpsm.h */
+class LIXEL_API XPSMShadowCameraSetup : public FittedShadowCameraSetup {
+public:
+    static Ogre::ShadowCameraSetupPtr create() { return std::make_shared<XPSMShadowCameraSetup>(); }
+
+    /// Strength of the warp, a pure number: 0 is uniform, 1 LiSPSM's balance of near and far.
+    /// @throws Ogre::InvalidParametersException unless finite and >= 0.
+    void setStrength(Ogre::Real strength);
+    Ogre::Real getStrength() const { return static_cast<Ogre::Real>(mOptions.strength); }
+
+    /// Gusev's epsilonW: the least denominator in the focus region relative to the viewer's.
+    /// @throws Ogre::InvalidParametersException unless in (0, 1].
+    void setEpsilonW(Ogre::Real epsilonW);
+    Ogre::Real getEpsilonW() const { return static_cast<Ogre::Real>(mOptions.epsilonW); }
+
+protected:
+    ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
+
+private:
+    XpsmOptions mOptions;
+};
+
+} // namespace Lixel

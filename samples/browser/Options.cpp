@@ -1,0 +1,100 @@
+#include "browser/Options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace Lixel::Samples {
+namespace {
+
+/// "WxH", both from 1 to 16384.
+void parseSize(const std::string& text, BrowserOptions& options) {
+    char rest = 0;
+    int width = 0;
+    int height = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 ||
+        height < 1 || width > 16384 || height > 16384)
+        throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT, such as 800x600");
+    options.width = width;
+    options.height = height;
+}
+
+/// "AZIMUTH,ELEVATION" in degrees.
+void parseLight(const std::string& text, BrowserOptions& options) {
+    char rest = 0;
+    float azimuth = 0;
+    float elevation = 0;
+    if (std::sscanf(text.c_str(), "%f,%f%c", &azimuth, &elevation, &rest) != 2 ||
+        !std::isfinite(azimuth) || !std::isfinite(elevation) || std::abs(elevation) > 90.0F)
+        throw CLI::ValidationError(
+            "--light", "'" + text + "' is not AZIMUTH,ELEVATION in degrees, such as 120,30");
+    options.azimuthElevation = {azimuth, elevation};
+}
+
+template <typename Named>
+std::string namesOf(const std::vector<Named>& all) {
+    std::string names;
+    for (const Named& one : all)
+        names += (names.empty() ? "" : ", ") + one.name;
+    return names;
+}
+
+} // namespace
+
+std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
+    BrowserOptions options;
+    CLI::App app{"Shows and measures Lixel's shadows on sample scenes and model files.",
+                 "lixel-browser"};
+    app.get_formatter()->column_width(34);
+    app.add_flag("--list", options.list, "List samples and setups, then exit");
+    app.add_flag("--headless", options.headless, "Draw without a window or display server");
+    auto* sample = app.add_option("--sample", options.sample, "Sample scene (see --list)");
+    app.add_option("--scene", options.modelFile, "Model file instead of a sample: glTF, OBJ, …")
+        ->excludes(sample);
+    app.add_option("--setup", options.setup, "Shadow camera setup (see --list)");
+    app.add_option("--map", options.mapSize, "Shadow map size in texels")
+        ->check(CLI::Range(16, 8192));
+    app.add_option_function<std::string>(
+        "--size", [&](const std::string& text) { parseSize(text, options); },
+        "Picture or window size, WxH");
+    app.add_option("--frames", options.frames, "Frames to draw and time (headless)")
+        ->check(CLI::Range(1, 100000));
+    app.add_option_function<std::string>(
+        "--light", [&](const std::string& text) { parseLight(text, options); },
+        "Sun's AZIMUTH,ELEVATION in degrees");
+    app.add_option("--view", options.view, "View of the sample, from 1")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--output", options.output, "Picture file to write (headless), PNG");
+    app.add_option("--stats", options.stats, "File for times and errors, JSON (headless)");
+    app.add_option("--comparison", options.comparison,
+                   "PNG of errors against exact shadows: red acne, blue leak (headless)");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error);
+    }
+    const auto complain = [](const std::string& what) {
+        fmt::print(stderr, "lixel-browser: {}\n", what);
+        return 2;
+    };
+    if (options.modelFile.empty() && findSampleScene(options.sample) == nullptr)
+        return complain(fmt::format("there is no sample '{}'; there are: {}", options.sample,
+                                    namesOf(sampleScenes())));
+    if (findShadowSetup(options.setup) == nullptr)
+        return complain(fmt::format("there is no setup '{}'; there are: {}", options.setup,
+                                    namesOf(shadowSetups())));
+    return options;
+}
+
+void printNames() {
+    fmt::print("Samples:\n");
+    for (const SampleScene& scene : sampleScenes())
+        fmt::print("  {}\n", scene.name);
+    fmt::print("Setups:\n");
+    for (const NamedSetup& setup : shadowSetups())
+        fmt::print("  {}\n", setup.name);
+}
+
+} // namespace Lixel::Samples

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "common/Scenes.h"
+#include "common/Setups.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace Lixel::Samples {
+
+/// What the command line asks for.
+struct BrowserOptions {
+    bool list = false;
+    bool headless = false;
+    std::string sample = "field";
+    std::string modelFile; ///< instead of a sample
+    std::string setup = "XPSM";
+    int mapSize = 1024;
+    int width = 800;
+    int height = 600;
+    int frames = 10;
+    std::optional<std::pair<float, float>> azimuthElevation;
+    int view = 1; ///< counted from 1
+    std::string output;
+    std::string stats;
+    std::string comparison;
+};
+
+/** Parses the command line.
+
+    @return the options, or the program's exit code where it has already said all there is to say
+    (help, or what is wrong with the arguments).
+*/
+std::variant<BrowserOptions, int> parseOptions(int argc, char** argv);
+
+/// Prints the names that --sample and --setup know, under the headings "Samples:" and "Setups:".
+void printNames();
+
+} // namespace Lixel::Samples

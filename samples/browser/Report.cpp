@@ -1,0 +1,75 @@
+#include "browser/Report.h"
+
+#include <OgreImage.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+namespace Lixel::Samples {
+
+void savePicture(const std::vector<std::uint8_t>& rgb, int width, int height,
+                 const std::string& file) {
+    // OGRE wants mutable bytes and does not write to them.
+    std::vector<std::uint8_t> bytes = rgb;
+    Ogre::Image image;
+    image.loadDynamicImage(bytes.data(), static_cast<Ogre::uint32>(width),
+                           static_cast<Ogre::uint32>(height), 1, Ogre::PF_BYTE_RGB);
+    image.save(file);
+    // The codec does not say when it could not write.
+    if (!std::filesystem::exists(file))
+        throw std::runtime_error("the picture '" + file + "' could not be written");
+}
+
+void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& options) {
+    Measurement measured = measureFrames(stage, options.frames);
+    const std::vector<std::uint8_t> picture = stage.picture();
+
+    const ShadowOracle oracle(collectTriangles(stage.sceneManager()));
+    std::vector<std::uint8_t> visibility;
+    ShadowTruth truth;
+    measured.error = measureError(stage, oracle, scene.shadowDistance, &visibility, &truth);
+
+    if (!options.output.empty())
+        savePicture(picture, options.width, options.height, options.output);
+    if (!options.comparison.empty())
+        savePicture(paintComparison(truth, visibility), options.width, options.height,
+                    options.comparison);
+    if (!options.stats.empty()) {
+        const nlohmann::ordered_json stats{
+            {"sample", scene.name},
+            {"setup", options.setup},
+            {"map", options.mapSize},
+            {"width", options.width},
+            {"height", options.height},
+            {"view", options.view},
+            {"frames", options.frames},
+            {"error_percent", measured.error.error},
+            {"acne_percent", measured.error.acne},
+            {"leak_percent", measured.error.leak},
+            {"grazing_error_percent", measured.error.grazingError},
+            {"pixels_counted", measured.error.counted()},
+            {"pixels_shadowed", measured.error.shadowed},
+            {"survey_us", measured.surveyMicroseconds},
+            {"fit_us", measured.fitMicroseconds},
+            {"caster_ms", measured.casterMilliseconds},
+            {"receiver_ms", measured.receiverMilliseconds},
+            {"frame_ms", measured.frameMilliseconds},
+            {"reason", measured.reason},
+            {"gl_renderer", stage.glRenderer()},
+        };
+        std::ofstream file(options.stats);
+        file << stats.dump(2) << '\n';
+        if (!file.flush())
+            throw std::runtime_error("the statistics '" + options.stats + "' could not be written");
+    }
+    fmt::print("{:<12} {:<18} map {:>4}  error {:6.3f} % (acne {:.3f}, leak {:.3f})  "
+               "frame {:.1f} ms{}\n",
+               scene.name, options.setup, options.mapSize, measured.error.error,
+               measured.error.acne, measured.error.leak, measured.frameMilliseconds,
+               options.output.empty() ? "" : "  " + options.output);
+}
+
+} // namespace Lixel::Samples

@@ -1,0 +1,73 @@
+#include "browser/Options.h"
+#include "browser/Report.h"
+#include "browser/Viewer.h"
+
+#include <Lixel/headless/Headless.h>
+
+#include <fmt/core.h>
+
+using namespace Lixel::Samples;
+
+namespace {
+
+int show(Stage& stage, const BrowserOptions& options) {
+    const SampleScene scene = options.modelFile.empty() ? *findSampleScene(options.sample)
+                                                        : modelScene(options.modelFile);
+    if (static_cast<std::size_t>(options.view) > scene.views.size()) {
+        fmt::print(stderr, "lixel-browser: '{}' has {} views, no view {}\n", scene.name,
+                   scene.views.size(), options.view);
+        return 2;
+    }
+    const SampleView& view = scene.views[static_cast<std::size_t>(options.view) - 1];
+    stage.show(scene);
+    stage.setView(view);
+    stage.setLight(options.azimuthElevation ? sunlight("sun", options.azimuthElevation->first,
+                                                       options.azimuthElevation->second)
+                                            : defaultLight(scene, view));
+    stage.setShadowMapSize(options.mapSize);
+    stage.setShadowSetup(findShadowSetup(options.setup)->create());
+    if (options.headless)
+        drawHeadless(stage, scene, options);
+    else
+        runViewer(stage, scene, options);
+    return 0;
+}
+
+int run(const BrowserOptions& options) {
+    if (!options.headless && !Lixel::Headless::isDisplayUsable()) {
+        fmt::print(stderr, "lixel-browser: no window can be opened (DISPLAY is not set, or its X "
+                           "server does not answer); --headless draws without one\n");
+        return 1;
+    }
+    Stage stage({.headless = options.headless,
+                 .width = options.width,
+                 .height = options.height,
+                 .title = "Lixel",
+                 .logFile = "",
+                 .sceneManagerType = ""});
+    try {
+        return show(stage, options);
+    } catch (const Ogre::Exception& error) {
+        // Here and not in main(): the exception's type may live in a plugin of the stage's.
+        fmt::print(stderr, "lixel-browser: {}\n", error.getDescription());
+        return 1;
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const auto parsed = parseOptions(argc, argv);
+        if (const int* const exitCode = std::get_if<int>(&parsed)) return *exitCode;
+        const BrowserOptions& options = std::get<BrowserOptions>(parsed);
+        if (options.list) {
+            printNames();
+            return 0;
+        }
+        return run(options);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "lixel-browser: {}\n", error.what());
+    }
+    return 1;
+}

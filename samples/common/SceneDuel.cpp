@@ -1,0 +1,110 @@
+#include "common/SceneList.h"
+#include "common/ScenePieces.h"
+
+namespace Lixel::Samples {
+namespace {
+
+using Ogre::ColourValue;
+using Ogre::Vector3;
+
+const std::string Base = "Lixel/Samples/duel/";
+
+/// Posts and two rails along x, from -half to half.
+Ogre::MeshPtr fence(float half) {
+    MeshBuilder mesh;
+    for (float x = -half; x <= half; x += 2.0F) {
+        mesh.boxOn({x, 0.0F, 0.0F}, 0.14F, 1.25F, 0.14F);
+        mesh.boxOn({x, 1.25F, 0.0F}, 0.2F, 0.05F, 0.2F);
+    }
+    for (const float height : {0.45F, 0.95F})
+        mesh.boxOn({0.0F, height, 0.11F}, 2.0F * half, 0.12F, 0.05F);
+    return mesh.build(Base + "fence");
+}
+
+/// A row of columns that carry a beam, along x.
+Ogre::MeshPtr colonnade(int columns, float spacing) {
+    MeshBuilder mesh;
+    const float half = 0.5F * spacing * static_cast<float>(columns - 1);
+    for (int i = 0; i < columns; ++i) {
+        mesh.transform.setTrans(Vector3(static_cast<float>(i) * spacing - half, 0.3F, 0.0F));
+        addColumn(mesh, 0.5F, 6.5F);
+    }
+    mesh.transform = Ogre::Affine3::IDENTITY;
+    mesh.boxOn(Vector3::ZERO, 2.0F * half + 2.4F, 0.3F, 2.4F);
+    mesh.boxOn({0.0F, 6.8F, 0.0F}, 2.0F * half + 1.8F, 0.8F, 1.3F);
+    mesh.boxOn({0.0F, 7.6F, 0.0F}, 2.0F * half + 2.3F, 0.25F, 1.8F);
+    return mesh.build(Base + "colonnade");
+}
+
+void plantTrees(Ogre::SceneManager& sceneManager) {
+    const auto bark = makeSurface(Base + "bark", ColourValue(0.42F, 0.34F, 0.27F));
+    const auto needles = makeSurface(Base + "needles", ColourValue(0.33F, 0.46F, 0.36F));
+    const auto leaves = makeSurface(Base + "leaves", ColourValue(0.55F, 0.60F, 0.33F));
+    const TwoMeshes conifer = spruce(Base + "spruce", 11.0F);
+    const TwoMeshes broad = broadleaf(Base + "broadleaf", 9.0F, 3);
+    Random random(11);
+    for (int i = 0; i < 15; ++i) {
+        Placement placement;
+        placement.position = {12.0F * static_cast<float>(i - 7) + random.between(-3.0F, 3.0F), 0.0F,
+                              -52.0F + random.between(-6.0F, 6.0F)};
+        placement.yawDegrees = random.between(0.0F, 360.0F);
+        placement.scale = random.between(0.8F, 1.3F);
+        place(sceneManager, i % 3 == 1 ? broad : conifer, bark, i % 3 == 1 ? leaves : needles,
+              placement);
+    }
+    place(sceneManager, broad, bark, leaves, {{-15.0F, 0.0F, 10.0F}, 40.0F, 1.0F});
+    place(sceneManager, conifer, bark, needles, {{19.0F, 0.0F, 4.0F}, 0.0F, 0.9F});
+}
+
+void build(Ogre::SceneManager& sceneManager) {
+    sceneManager.setAmbientLight(SampleScene{}.ambient);
+    placeGround(sceneManager, Base + "ground", 150.0F,
+                makeSurface(Base + "ground", ColourValue(0.66F, 0.66F, 0.52F),
+                            patternTexture(Pattern::Grain)));
+    const auto stone = makeSurface(Base + "stone", ColourValue(0.82F, 0.78F, 0.69F));
+    const auto wood = makeSurface(Base + "wood", ColourValue(0.55F, 0.41F, 0.29F));
+    const auto clay = makeSurface(Base + "clay", ColourValue(0.76F, 0.45F, 0.34F));
+    place(sceneManager, fence(40.0F), wood, {{0.0F, 0.0F, 22.0F}, 0.0F, 1.0F});
+    place(sceneManager, colonnade(11, 4.5F), stone, {{0.0F, 0.0F, -18.0F}, 0.0F, 1.0F});
+    plantTrees(sceneManager);
+
+    MeshBuilder jar;
+    jar.lathe(std::vector<ProfilePoint>{{0.0F, 0.0F},
+                                        {0.35F, 0.0F},
+                                        {0.42F, 0.1F},
+                                        {0.8F, 0.75F, true},
+                                        {0.7F, 1.3F, true},
+                                        {0.35F, 1.6F},
+                                        {0.5F, 1.8F},
+                                        {0.0F, 1.8F}},
+              28);
+    const Ogre::MeshPtr jarMesh = jar.build(Base + "jar");
+    for (int i = 0; i < 6; ++i)
+        place(
+            sceneManager, jarMesh, clay,
+            {{6.0F * static_cast<float>(i) - 17.0F, 0.0F, 3.0F - 2.0F * static_cast<float>(i % 2)},
+             0.0F,
+             1.0F});
+}
+
+} // namespace
+
+SampleScene duelScene() {
+    SampleScene scene;
+    scene.name = "duel";
+    scene.title = "Duel: looking into a low sun, with trees, columns and a fence in between";
+    scene.build = build;
+    scene.views = {
+        {"into-the-sun", {0.5F, 1.7F, 38.0F}, {0.0F, 2.2F, -20.0F}, 0.5F, 300.0F, 50.0F, {}},
+        {"from-a-hill", {-22.0F, 16.0F, 52.0F}, {0.0F, 0.0F, -8.0F}, 0.5F, 300.0F, 45.0F, {}},
+        {"behind-the-fence", {6.0F, 0.9F, 25.5F}, {1.0F, 1.2F, 0.0F}, 0.2F, 300.0F, 60.0F, {}},
+    };
+    scene.lights = {sunlight("straight-against", 180.0F, 16.0F),
+                    sunlight("nearly-against", 168.0F, 9.0F),
+                    sunlight("high-against", 186.0F, 38.0F),
+                    sunlight("from-the-side", 95.0F, 22.0F), sunlight("from-behind", 4.0F, 25.0F)};
+    scene.shadowDistance = 160.0F;
+    return scene;
+}
+
+} // namespace Lixel::Samples

@@ -1,0 +1,41 @@
+#include "common/ModelFile.h"
+#include "common/Scenes.h"
+
+#include <filesystem>
+
+namespace Lixel::Samples {
+
+SampleScene modelScene(const std::string& path) {
+    // The scene may be copied and built several times; the file is read once.
+    const auto file = std::make_shared<const ModelFile>(path);
+    const Ogre::Vector3 centre = file->box().getCenter();
+    const Ogre::Vector3 size = file->box().getSize();
+    const float extent = size.length();
+    const Ogre::Vector3 foot(centre.x, file->box().getMinimum().y, centre.z);
+
+    SampleScene scene;
+    scene.name = "model";
+    scene.title = "Model: " + std::filesystem::path(path).filename().string();
+    scene.build = [file](Ogre::SceneManager& sceneManager) {
+        sceneManager.setAmbientLight(SampleScene{}.ambient);
+        file->addTo(sceneManager, *sceneManager.getRootSceneNode());
+    };
+    const auto view = [&](const std::string& name, const Ogre::Vector3& position,
+                          const Ogre::Vector3& target) {
+        return SampleView{name, position, target, 0.01F * extent, 12.0F * extent, 45.0F, {}};
+    };
+    scene.views = {
+        view("from-the-corner", centre + extent * Ogre::Vector3(0.75F, 0.5F, 0.85F), centre),
+        view("low", foot + Ogre::Vector3(-0.55F * extent, 0.1F * extent, 1.0F * extent),
+             foot + Ogre::Vector3(0.0F, 0.35F * size.y, 0.0F)),
+        view("from-above", centre + extent * Ogre::Vector3(-0.35F, 1.2F, 0.3F), centre),
+    };
+    scene.lights = {sunlight("afternoon", 80.0F, 40.0F),
+                    sunlight("low-from-the-side", 120.0F, 15.0F),
+                    sunlight("from-behind", 35.0F, 35.0F), sunlight("against", 221.0F, 25.0F),
+                    sunlight("noon", 150.0F, 80.0F)};
+    scene.shadowDistance = 6.0F * extent;
+    return scene;
+}
+
+} // namespace Lixel::Samples

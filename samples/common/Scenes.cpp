@@ -1,0 +1,72 @@
+#include "common/Scenes.h"
+
+#include "common/SceneList.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Lixel::Samples {
+
+const std::vector<SampleScene>& sampleScenes() {
+    static const std::vector<SampleScene> scenes{fieldScene(), duelScene(), minersLampScene(),
+                                                 streetScene()};
+    return scenes;
+}
+
+const SampleScene* findSampleScene(const std::string& name) {
+    const auto& scenes = sampleScenes();
+    const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const SampleScene& scene) { return scene.name == name; });
+    return found != scenes.end() ? &*found : nullptr;
+}
+
+SampleLight sunlight(const std::string& name, float azimuthDegrees, float elevationDegrees) {
+    const float azimuth = Ogre::Degree(azimuthDegrees).valueRadians();
+    const float elevation = Ogre::Degree(elevationDegrees).valueRadians();
+    SampleLight light;
+    light.name = name;
+    light.kind = SampleLight::Kind::Directional;
+    light.direction = -Ogre::Vector3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                                     std::cos(elevation) * std::cos(azimuth));
+    return light;
+}
+
+const SampleLight& defaultLight(const SampleScene& scene, const SampleView& view) {
+    return view.light ? *view.light : scene.lights.front();
+}
+
+void applyView(const SampleView& view, Ogre::Camera& camera) {
+    Ogre::SceneNode& node = *camera.getParentSceneNode();
+    node.setFixedYawAxis(true);
+    node.setPosition(view.position);
+    node.lookAt(view.target, Ogre::Node::TS_WORLD);
+    camera.setNearClipDistance(view.nearDistance);
+    camera.setFarClipDistance(view.farDistance);
+    camera.setFOVy(Ogre::Degree(view.fovYDegrees));
+}
+
+void applyLight(const SampleLight& light, Ogre::Light& ogreLight) {
+    Ogre::SceneNode& node = *ogreLight.getParentSceneNode();
+    node.setPosition(light.position);
+    ogreLight.setDiffuseColour(light.colour);
+    ogreLight.setSpecularColour(light.colour);
+    switch (light.kind) {
+    case SampleLight::Kind::Directional:
+        ogreLight.setType(Ogre::Light::LT_DIRECTIONAL);
+        node.setDirection(light.direction, Ogre::Node::TS_WORLD);
+        return;
+    case SampleLight::Kind::Spot:
+        ogreLight.setType(Ogre::Light::LT_SPOTLIGHT);
+        node.setDirection(light.direction, Ogre::Node::TS_WORLD);
+        ogreLight.setSpotlightRange(Ogre::Degree(light.innerDegrees),
+                                    Ogre::Degree(light.outerDegrees), 1.0F);
+        break;
+    case SampleLight::Kind::Point:
+        ogreLight.setType(Ogre::Light::LT_POINT);
+        break;
+    }
+    // Half as bright at a quarter of the range: 1 / (1 + 16 (d / range)^2).
+    ogreLight.setAttenuation(light.range, 1.0F, 0.0F, 16.0F / (light.range * light.range));
+}
+
+} // namespace Lixel::Samples

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Ogre.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Lixel::Samples {
+
+/// A light of a sample. Lengths in the scene's units.
+struct SampleLight {
+    enum class Kind { Directional, Spot, Point };
+    std::string name; ///< for menus and reports: lower case, dashes
+    Kind kind = Kind::Directional;
+    /// Directional and spot: unit vector along which light travels.
+    Ogre::Vector3 direction = Ogre::Vector3::NEGATIVE_UNIT_Y;
+    Ogre::Vector3 position = Ogre::Vector3::ZERO; ///< spot and point
+    float innerDegrees = 0.0F;                    ///< spot: full angle of the inner cone
+    float outerDegrees = 0.0F;                    ///< spot: full angle of the outer cone
+    float range = 0.0F;                           ///< spot and point: how far light reaches
+    Ogre::ColourValue colour = Ogre::ColourValue(1.0F, 0.97F, 0.9F);
+};
+
+/// Where a sample is seen from. y is up.
+struct SampleView {
+    std::string name; ///< for menus and reports: lower case, dashes
+    Ogre::Vector3 position = Ogre::Vector3::ZERO;
+    Ogre::Vector3 target = Ogre::Vector3::NEGATIVE_UNIT_Z;
+    float nearDistance = 1.0F;
+    float farDistance = 1000.0F;
+    float fovYDegrees = 50.0F;
+    std::optional<SampleLight> light; ///< a light that belongs to this view, instead of lights[0]
+};
+
+/// A scene with the views and lights under which it is shown and measured.
+struct SampleScene {
+    std::string name;  ///< for the command line: lower case, dashes
+    std::string title; ///< one line for people
+    /** Adds everything but camera and lights below the root scene node, and sets the ambient light.
+        @exception Ogre::ItemIdentityException without the material Lixel/Surface
+    */
+    std::function<void(Ogre::SceneManager&)> build;
+    std::vector<SampleView> views;   ///< the default one first; at least two
+    std::vector<SampleLight> lights; ///< the default one first
+    float shadowDistance = 0.0F;     ///< view-space depth that shadows reach, scene units
+    Ogre::ColourValue ambient = Ogre::ColourValue(0.32F, 0.35F, 0.4F);
+    Ogre::ColourValue background = Ogre::ColourValue(0.66F, 0.76F, 0.85F);
+};
+
+/// The scenes that are made by code, always the same: field, duel, miners-lamp, street.
+const std::vector<SampleScene>& sampleScenes();
+
+/// The scene of that name; null when there is none.
+const SampleScene* findSampleScene(const std::string& name);
+
+/** Any model file as a scene, with views and lights from its bounding box.
+    @exception Ogre::Exception as ModelFile
+*/
+SampleScene modelScene(const std::string& path);
+
+/** A sun by where it stands.
+    @param azimuthDegrees around y: 0 over +z, 90 over +x, 180 over -z, where most views look
+    @param elevationDegrees above the horizon
+*/
+SampleLight sunlight(const std::string& name, float azimuthDegrees, float elevationDegrees);
+
+/// The light under which a view is shown unless another is asked for.
+const SampleLight& defaultLight(const SampleScene& scene, const SampleView& view);
+
+/// Puts a camera, which a scene node of its own carries, where the view is. Leaves its aspect
+/// ratio.
+void applyView(const SampleView& view, Ogre::Camera& camera);
+
+/// Makes a light, which a scene node of its own carries, into the sample's light.
+void applyLight(const SampleLight& light, Ogre::Light& ogreLight);
+
+} // namespace Lixel::Samples

@@ -1,0 +1,73 @@
+#include "common/Setups.h"
+
+#include <Lixel/setup/ObservedShadowCameraSetup.h>
+#include <Lixel/setup/UniformShadowCameraSetup.h>
+#include <Lixel/setup/XPSMShadowCameraSetup.h>
+
+#include <OgreCamera.h>
+#include <OgreLight.h>
+#include <OgreMovablePlane.h>
+#include <OgreShadowCameraSetupFocused.h>
+#include <OgreShadowCameraSetupLiSPSM.h>
+#include <OgreShadowCameraSetupPSSM.h>
+#include <OgreShadowCameraSetupPlaneOptimal.h>
+
+namespace Lixel::Samples {
+namespace {
+
+/// OGRE's setup keeps a pointer to its plane; this one brings the plane along.
+class GroundOptimalSetup : private Ogre::MovablePlane, public Ogre::PlaneOptimalShadowCameraSetup {
+public:
+    GroundOptimalSetup()
+        : Ogre::MovablePlane(Ogre::Vector3::UNIT_Y, 0), Ogre::PlaneOptimalShadowCameraSetup(this) {}
+};
+
+/// Splits between the viewer's planes: what OGRE's sample does by hand.
+class OneSplitSetup : public Ogre::PSSMShadowCameraSetup {
+public:
+    void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
+                         const Ogre::Viewport* viewport, const Ogre::Light* light,
+                         Ogre::Camera* shadowCamera, std::size_t iteration) const override {
+        const Ogre::Real reach = light->getShadowFarDistance();
+        // The splits are the viewer's, which the setup is not told when it is made; OGRE calls
+        // this const but keeps it as any other option.
+        const_cast<OneSplitSetup*>(this)->setSplitPoints(
+            {viewer->getNearClipDistance(), reach > 0 ? reach : viewer->getFarClipDistance()});
+        PSSMShadowCameraSetup::getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera,
+                                               iteration);
+    }
+    OneSplitSetup() { setSplitPoints({1, 100}); }
+};
+
+template <typename T>
+NamedSetup lixel(const std::string& name, const std::string& title) {
+    return {name, title, [] { return T::create(); }};
+}
+
+template <typename T>
+NamedSetup ogre(const std::string& name, const std::string& title) {
+    return {name, title, [] { return ObservedShadowCameraSetup::create(std::make_shared<T>()); }};
+}
+
+} // namespace
+
+const std::vector<NamedSetup>& shadowSetups() {
+    static const std::vector<NamedSetup> setups{
+        lixel<UniformShadowCameraSetup>("Uniform", "Lixel: uniform, focused on visible receivers"),
+        lixel<XPSMShadowCameraSetup>("XPSM", "Lixel: extended perspective shadow map"),
+        ogre<Ogre::DefaultShadowCameraSetup>("Ogre-Default", "OGRE: uniform"),
+        ogre<Ogre::FocusedShadowCameraSetup>("Ogre-Focused", "OGRE: uniform, focused"),
+        ogre<Ogre::LiSPSMShadowCameraSetup>("Ogre-LiSPSM", "OGRE: light space perspective"),
+        ogre<OneSplitSetup>("Ogre-PSSM", "OGRE: parallel split, one split"),
+        ogre<GroundOptimalSetup>("Ogre-PlaneOptimal", "OGRE: optimal for the ground plane"),
+    };
+    return setups;
+}
+
+const NamedSetup* findShadowSetup(const std::string& name) {
+    for (const NamedSetup& setup : shadowSetups())
+        if (setup.name == name) return &setup;
+    return nullptr;
+}
+
+} // namespace Lixel::Samples

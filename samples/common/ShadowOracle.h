@@ -1,0 +1,113 @@
+#pragma once
+
+#include "common/Triangles.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Lixel::Samples {
+
+/// Below this cosine between normal and light a pixel counts as grazing and is reported apart.
+constexpr double GrazingCosine = 0.05;
+
+/// What one pixel shows.
+enum class PixelClass : std::uint8_t {
+    Background,           ///< no triangle
+    NotReceiver,          ///< a triangle that receives no shadows
+    BeyondShadowDistance, ///< deeper in the view than shadows reach
+    Unlit,                ///< n.l <= 0, outside a spot's outer cone, or beyond the light's range
+    GrazingLit,           ///< 0 < n.l < GrazingCosine and the light is seen
+    GrazingShadowed,      ///< 0 < n.l < GrazingCosine and the light is not seen
+    Lit,                  ///< n.l >= GrazingCosine and the light is seen
+    Shadowed,             ///< n.l >= GrazingCosine and the light is not seen
+};
+
+/// What a viewer sees. Matrices act on column vectors.
+struct OracleView {
+    /// View space (looking along -z) from positions relative to TriangleScene::wsOrigin.
+    Eigen::Matrix4d vsFromWs = Eigen::Matrix4d::Identity();
+    /// Clip space in OpenGL's convention: -w <= z <= w. An infinite far plane is fine.
+    Eigen::Matrix4d clipFromVs = Eigen::Matrix4d::Identity();
+    int width = 0;               ///< pixels
+    int height = 0;              ///< pixels
+    double shadowDistance = 0.0; ///< largest view-space depth with shadows, world units; 0: any
+};
+
+/// A light without extent.
+struct OracleLight {
+    enum class Kind : std::uint8_t { Directional, Spot, Point };
+    Kind kind = Kind::Directional;
+    /// Spot and point: relative to TriangleScene::wsOrigin.
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    /// Directional and spot: unit vector along which light travels.
+    Eigen::Vector3d direction = -Eigen::Vector3d::UnitY();
+    double innerAngle = 0.0; ///< spot: full angle of the inner cone, radians; decides nothing here
+    double outerAngle = 0.0; ///< spot: full angle of the outer cone, radians
+    /// Spot and point: world units that light reaches.
+    double range = std::numeric_limits<double>::infinity();
+};
+
+/// A visible point of the scene.
+struct SurfacePoint {
+    Eigen::Vector3d position; ///< relative to TriangleScene::wsOrigin, on the triangle's plane
+    Eigen::Vector3d normal;   ///< geometric normal of unit length, turned towards the viewer
+    std::uint32_t triangle;   ///< index into TriangleScene::triangles
+};
+
+/// A value per pixel, row 0 at the top of the picture, sampled at pixel centres.
+template <typename T>
+struct Raster {
+    int width = 0;
+    int height = 0;
+    std::vector<T> pixels;
+    const T& at(int column, int row) const {
+        return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(column)];
+    }
+};
+using ShadowTruth = Raster<PixelClass>;
+
+/** Exact hard shadows, by tracing rays against the scene's own triangles.
+
+    A viewer sees only the fronts of triangles, as OGRE's culling draws them (both sides where
+    Triangle::drawnFromBack); between the near and the far plane. Light is blocked by both sides of
+    casting triangles, at any distance. All methods are const and may run in parallel.
+*/
+class ShadowOracle {
+public:
+    /** Copies the scene.
+        @exception std::invalid_argument for an index beyond the vertices or a position that is not
+        finite; std::runtime_error when Embree gives no device.
+    */
+    explicit ShadowOracle(TriangleScene scene);
+    ~ShadowOracle();
+    ShadowOracle(ShadowOracle&&) noexcept;
+    ShadowOracle& operator=(ShadowOracle&&) noexcept;
+
+    const TriangleScene& scene() const;
+
+    /** The class of every pixel, on all processors.
+        @exception std::invalid_argument for a size below 1 x 1, matrices that cannot be inverted or
+        are not finite, or a directional or spot light without a direction.
+    */
+    ShadowTruth classify(const OracleView& view, const OracleLight& light) const;
+
+    /// What every pixel shows, if anything. Exceptions as classify.
+    Raster<std::optional<SurfacePoint>> visiblePoints(const OracleView& view) const;
+
+    /// The class of one visible point; of the view only its depth and shadow distance matter.
+    PixelClass classifyPoint(const SurfacePoint& point, const OracleView& view,
+                             const OracleLight& light) const;
+
+    /// Whether a casting triangle lies between the point and the light.
+    bool occluded(const SurfacePoint& point, const OracleLight& light) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> mImpl;
+};
+
+} // namespace Lixel::Samples

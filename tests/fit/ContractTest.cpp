@@ -1,0 +1,339 @@
+/** The contract of a fit, which every technique passes, for any valid scene.
+
+    The numbers in the tests' names are those of the contract in plugin/fit's design: what is
+    checked against is the brute-force oracle.
+*/
+#include "Oracle.h"
+
+#include "fit/Polygon2.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <iomanip>
+#include <numbers>
+
+using namespace Lixel;
+using namespace Lixel::Test;
+
+namespace {
+
+constexpr std::size_t RaysPerScene = 150;
+
+class Contract : public testing::TestWithParam<Technique> {
+protected:
+    /** Checks `property(scene, fit, state, dice)` for any scene. It returns whether it had
+        something to check, so that a property that never has is noticed. */
+    template <typename Property>
+    void forAnyScene(const Property& property) {
+        std::size_t checked = 0;
+        const bool holds = rc::check([&] {
+            const Scene scene = *anyScene();
+            Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+            FitState state;
+            const ShadowFit fit = GetParam().fit(scene.problem(), state);
+            RC_LOG() << std::setprecision(9) << "reason: " << toString(fit.reason) << "\n";
+            if (property(scene, fit, state, dice)) ++checked;
+        });
+        EXPECT_TRUE(holds);
+        EXPECT_GT(checked, 0U);
+    }
+
+    /// The same over the fits that have a map and at least one shadowed point.
+    template <typename Property>
+    void forAnyShadow(const Property& property) {
+        forAnyScene(
+            [&](const Scene& scene, const ShadowFit& fit, const FitState& state, Dice& dice) {
+                if (!fit.hasMap()) return false;
+                const auto points = shadowedPoints(scene, dice, RaysPerScene);
+                if (points.empty()) return false;
+                property(scene, fit, state, points);
+                return true;
+            });
+    }
+};
+
+/// How far inside the map's border a texel coordinate is; negative outside.
+double insideBorder(const Vec2& texel, const Scene& scene) {
+    const Vec2 size(scene.mapWidth, scene.mapHeight);
+    return std::min(texel.minCoeff(), (size - texel).minCoeff());
+}
+
+void expectInvertible(const Mat4& m) {
+    RC_ASSERT(m.allFinite());
+    const Mat4 inverse = m.inverse();
+    RC_ASSERT(inverse.allFinite());
+    // Relative to the sizes of what is summed, which span the square of the scene's scale.
+    const Mat4 error = m * inverse - Mat4::Identity();
+    const Mat4 scale = m.cwiseAbs() * inverse.cwiseAbs();
+    RC_ASSERT((error.array().abs() <= 1e-9 * (scale.array() + 1.0)).all());
+}
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(EveryTechnique, Contract, testing::ValuesIn(techniques()), ByName{});
+
+TEST_P(Contract, MatricesAreFiniteAndInvertible) {
+    forAnyScene([](const Scene&, const ShadowFit& fit, const FitState&, Dice&) {
+        if (!fit.hasMap()) return false;
+        expectInvertible(fit.clipFromLight);
+        expectInvertible(fit.clipFromWorld);
+        RC_ASSERT(fit.lsFromWs.isUnitary(1e-12));
+        RC_ASSERT(fit.lsNear < fit.lsFar);
+        RC_ASSERT(fit.depthScale > 0.0);
+        RC_ASSERT(std::isfinite(fit.depthOffset));
+        RC_ASSERT(std::abs(fit.depthPerWorldUnit * (fit.lsFar - fit.lsNear) - 1.0) < 1e-9);
+        RC_ASSERT(fit.mapAngle >= 0.0);
+        RC_ASSERT(fit.mapAngle < std::numbers::pi / 2.0);
+        return true;
+    });
+}
+
+TEST_P(Contract, ValidInputIsNotCalledInvalid) {
+    forAnyScene([](const Scene&, const ShadowFit& fit, const FitState&, Dice&) {
+        RC_ASSERT(fit.reason < FitReason::Unbounded);
+        return true;
+    });
+}
+
+TEST_P(Contract, NothingToDrawOnlyWhereTheOracleFindsNoShadow) {
+    forAnyScene([](const Scene& scene, const ShadowFit& fit, const FitState&, Dice& dice) {
+        if (fit.hasMap()) return false;
+        const auto points = shadowedPoints(scene, dice, 3 * RaysPerScene);
+        if (!points.empty())
+            RC_LOG() << "shadowed: " << points[0].wsReceiver.transpose() << " by "
+                     << points[0].wsOccluder.transpose() << "\n";
+        RC_ASSERT(points.empty());
+        return true;
+    });
+}
+
+TEST_P(Contract, ShadowedPointsLieInsideTheMapsBorder) {
+    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
+                    const std::vector<ShadowedPoint>& points) {
+        const Mat4 rounded = roundedToFloat(fit.clipFromWorld);
+        for (const ShadowedPoint& point : points) {
+            const Vec3& x = point.wsReceiver;
+            const Vec2 texel = texelOf(rounded, scene, x);
+            RC_LOG() << "receiver " << x.transpose() << " clip " << clipOf(rounded, x).transpose()
+                     << " texel " << texel.transpose() << " unrounded "
+                     << texelOf(fit.clipFromWorld, scene, x).transpose() << "\n";
+            RC_ASSERT(clipOf(rounded, x).w() > 0.0);
+            RC_ASSERT(insideBorder(texel, scene) >= scene.filterRadius + 1.0);
+        }
+    });
+}
+
+TEST_P(Contract, OccludersAreDrawn) {
+    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
+                    const std::vector<ShadowedPoint>& points) {
+        constexpr double Rounding = 1e-9;
+        for (const ShadowedPoint& point : points) {
+            const Vec4 clip = clipOf(fit.clipFromWorld, point.wsOccluder);
+            RC_LOG() << "receiver " << point.wsReceiver.transpose() << " occluder "
+                     << point.wsOccluder.transpose() << " clip " << clip.transpose() << "\n";
+            RC_ASSERT(clip.w() > 0.0);
+            RC_ASSERT(insideBorder(texelOf(fit.clipFromWorld, scene, point.wsOccluder), scene) >=
+                      scene.filterRadius + 1.0);
+            RC_ASSERT(clip.z() <= (1.0 + Rounding) * clip.w());
+            // In front of the range it is clamped, if the render system can.
+            RC_ASSERT(scene.depthClamp || clip.z() >= -(1.0 + Rounding) * clip.w());
+        }
+    });
+}
+
+TEST_P(Contract, StoredDepthOfReceiversIsBetweenZeroAndOne) {
+    forAnyShadow([](const Scene&, const ShadowFit& fit, const FitState&,
+                    const std::vector<ShadowedPoint>& points) {
+        for (const ShadowedPoint& point : points) {
+            const Vec4 clip = clipOf(fit.clipFromWorld, point.wsReceiver);
+            const double stored = fit.depthScale * clip.z() + fit.depthOffset;
+            RC_LOG() << "receiver " << point.wsReceiver.transpose() << " stored " << stored << "\n";
+            RC_ASSERT(stored >= 0.0);
+            RC_ASSERT(stored <= 1.0);
+            RC_ASSERT(std::abs(clip.z()) <= clip.w());
+        }
+    });
+}
+
+TEST_P(Contract, StoredDepthGrowsAlongTheLight) {
+    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
+                    const std::vector<ShadowedPoint>& points) {
+        for (const ShadowedPoint& point : points) {
+            const Vec3 step = (point.wsOccluder - point.wsReceiver) / 4.0;
+            if (step.norm() < 1e-6 * scene.size) continue;
+            for (int i = 0; i < 4; ++i) {
+                const Vec4 far = clipOf(fit.clipFromWorld, point.wsReceiver + i * step);
+                const Vec4 near = clipOf(fit.clipFromWorld, point.wsReceiver + (i + 1) * step);
+                RC_ASSERT(near.z() < far.z());
+                RC_ASSERT(near.z() / near.w() < far.z() / far.w());
+            }
+        }
+    });
+}
+
+TEST_P(Contract, WindingSeenFromTheLightIsKept) {
+    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
+                    const std::vector<ShadowedPoint>& points) {
+        for (const ShadowedPoint& point : points) {
+            const Vec3 normal = towardsLight(scene.light, point.wsReceiver);
+            const Vec3 a = normal.unitOrthogonal();
+            const Vec3 b = normal.cross(a); // counter-clockwise for who looks against the normal
+            const Vec3& x = point.wsReceiver;
+            // The Jacobian of the dehomogenised map along a and b, exactly.
+            const Vec4 clip = clipOf(fit.clipFromWorld, x);
+            const auto derivative = [&](const Vec3& d) {
+                const Vec4 step = fit.clipFromWorld * Vec4(d.x(), d.y(), d.z(), 0.0);
+                return Vec2((step.head<2>() * clip.w() - clip.head<2>() * step.w()) /
+                            (clip.w() * clip.w()));
+            };
+            RC_ASSERT(cross(derivative(a), derivative(b)) > 0.0);
+        }
+    });
+}
+
+TEST_P(Contract, OneRayIsOneTexel) {
+    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
+                    const std::vector<ShadowedPoint>& points) {
+        for (const ShadowedPoint& point : points) {
+            const Vec2 receiver = texelOf(fit.clipFromWorld, scene, point.wsReceiver);
+            const Vec2 occluder = texelOf(fit.clipFromWorld, scene, point.wsOccluder);
+            RC_LOG() << "texels " << receiver.transpose() << " and " << occluder.transpose()
+                     << "\n";
+            RC_ASSERT((receiver - occluder).norm() <= 0.01);
+        }
+    });
+}
+
+TEST_P(Contract, OneRayIsOneTexelInFloat) {
+    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
+                    const std::vector<ShadowedPoint>& points) {
+        const Eigen::Matrix4f m = fit.clipFromWorld.cast<float>();
+        const auto texel = [&](const Vec3& ws) {
+            const Eigen::Vector4f clip = m * Eigen::Vector3f(ws.cast<float>()).homogeneous();
+            const Eigen::Vector2f size(static_cast<float>(scene.mapWidth),
+                                       static_cast<float>(scene.mapHeight));
+            return Eigen::Vector2f(clip.head<2>() / clip.w()).cwiseProduct(size / 2.0F).eval();
+        };
+        for (const ShadowedPoint& point : points) {
+            const Eigen::Vector2f receiver = texel(point.wsReceiver);
+            const Eigen::Vector2f occluder = texel(point.wsOccluder);
+            RC_LOG() << "receiver " << point.wsReceiver.transpose() << " occluder "
+                     << point.wsOccluder.transpose() << " texels " << receiver.transpose()
+                     << " and " << occluder.transpose() << "\n";
+            RC_ASSERT((receiver - occluder).norm() <= 0.25F);
+        }
+    });
+}
+
+TEST_P(Contract, TheMapIsTight) {
+    forAnyScene([](const Scene& scene, const ShadowFit& fit, const FitState& state, Dice&) {
+        if (!fit.hasMap()) return false;
+        const Polygon2& hull = state.region.liHull;
+        Vec2 least = Vec2::Constant(std::numeric_limits<double>::infinity());
+        Vec2 greatest = -least;
+        Vec2 warpedLeast = least;
+        Vec2 warpedGreatest = greatest;
+        const Eigen::Rotation2Dd axes(-fit.mapAngle);
+        for (const Vec2& q : hull) {
+            // The ray's light-space point at depth 0 or, for a local light, 1.
+            const Vec4 ls(q.x(), q.y(), fit.directional ? 0.0 : -1.0, 1.0);
+            const Vec4 clip = fit.clipFromLight * ls;
+            RC_ASSERT(clip.w() > 0.0);
+            const Vec2 ndc = clip.head<2>() / clip.w();
+            const Vec2 texel =
+                (ndc + Vec2::Ones()).cwiseProduct(Vec2(scene.mapWidth, scene.mapHeight)) / 2.0;
+            least = least.cwiseMin(texel);
+            greatest = greatest.cwiseMax(texel);
+            const Vec2 d = q - fit.liCentre;
+            const Vec2 warped = axes * Vec2(d / (1.0 + fit.liWarp.dot(d)));
+            warpedLeast = warpedLeast.cwiseMin(warped);
+            warpedGreatest = warpedGreatest.cwiseMax(warped);
+        }
+        const Vec2 sides = warpedGreatest - warpedLeast;
+        const Vec2 size(scene.mapWidth, scene.mapHeight);
+        const double border = scene.filterRadius + 1.0;
+        RC_LOG() << "warped sides " << sides.transpose() << ", texels " << least.transpose()
+                 << " to " << greatest.transpose() << "\n";
+        bool checked = false;
+        for (Eigen::Index axis = 0; axis < 2; ++axis) {
+            // Degenerate: thinner than one texel of a map of 4096 is rounding.
+            if (sides[axis] < sides.maxCoeff() / 4000.0 || sides[axis] < 1e-8 * scene.size)
+                continue;
+            RC_ASSERT(least[axis] >= border);
+            RC_ASSERT(least[axis] <= border + 2.0);
+            RC_ASSERT(greatest[axis] <= size[axis] - border);
+            RC_ASSERT(greatest[axis] >= size[axis] - border - 2.0);
+            checked = true;
+        }
+        return checked;
+    });
+}
+
+TEST_P(Contract, TheFocusPolygonHoldsTheFocusRegion) {
+    forAnyScene([](const Scene&, const ShadowFit& fit, const FitState& state, Dice&) {
+        if (!fit.hasMap()) return false;
+        const auto focus = fit.liFocus.span();
+        RC_ASSERT(!focus.empty());
+        RC_ASSERT(focus.size() <= FocusPolygon::Capacity);
+        double extent = 0.0;
+        for (const Vec2& q : state.region.liHull)
+            extent = std::max(extent, q.cwiseAbs().maxCoeff());
+        for (std::size_t i = 0; i < focus.size() && focus.size() > 2; ++i) {
+            const Vec2 edge = focus[(i + 1) % focus.size()] - focus[i];
+            if (edge.norm() < 1e-9 * extent) continue;
+            for (const Vec2& q : state.region.liHull) {
+                RC_LOG() << "vertex " << q.transpose() << " edge " << i << "\n";
+                RC_ASSERT(cross(edge.normalized(), q - focus[i]) >= -1e-9 * extent);
+            }
+            // Interior, so that the denominator is 1 somewhere on the region.
+            RC_ASSERT(cross(edge.normalized(), fit.liCentre - focus[i]) >= -1e-9 * extent);
+        }
+        for (const Vec2& q : state.region.liHull)
+            RC_ASSERT(1.0 + fit.liWarp.dot(q - fit.liCentre) > 0.0);
+        return true;
+    });
+}
+
+TEST_P(Contract, HasNoHiddenUnit) {
+    forAnyScene([this](const Scene& scene, const ShadowFit& fit, const FitState&, Dice&) {
+        for (const double factor : {1024.0, 1.0 / 1024.0}) {
+            const Scene other = scaled(scene, factor);
+            FitState state;
+            const ShadowFit same = GetParam().fit(other.problem(), state);
+            RC_ASSERT(same.reason == fit.reason);
+            if (!fit.hasMap()) continue;
+            // Clip coordinates of the scaled point, up to a positive factor.
+            Mat4 unscaled = same.clipFromWorld;
+            unscaled.leftCols<3>() *= factor;
+            const Mat4 a = fit.clipFromWorld;
+            unscaled *= a.norm() / unscaled.norm();
+            RC_LOG() << "factor " << factor << "\n" << a << "\nscaled\n" << unscaled << "\n";
+            RC_ASSERT((unscaled - a).norm() <= 1e-9 * a.norm());
+        }
+        return fit.hasMap();
+    });
+}
+
+TEST_P(Contract, AUsedStateGivesTheSameGuarantees) {
+    // Another scene's fit before this one must not show but in the choice of orientation.
+    const bool holds = rc::check([&] {
+        const Scene before = *anyScene();
+        const Scene scene = *anyScene();
+        FitState used;
+        FitState fresh;
+        (void)GetParam().fit(before.problem(), used);
+        const ShadowFit a = GetParam().fit(scene.problem(), used);
+        const ShadowFit b = GetParam().fit(scene.problem(), fresh);
+        RC_ASSERT(a.reason == b.reason);
+        if (!a.hasMap()) return;
+        RC_ASSERT(a.liWarp == b.liWarp);
+        RC_ASSERT(a.liCentre == b.liCentre);
+        RC_ASSERT(a.lsNear == b.lsNear);
+        RC_ASSERT(a.lsFar == b.lsFar);
+        RC_ASSERT(used.region.liHull == fresh.region.liHull);
+    });
+    EXPECT_TRUE(holds);
+}

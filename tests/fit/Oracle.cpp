@@ -1,0 +1,130 @@
+#include "Oracle.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace Lixel::Test {
+namespace {
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// What a point must be away from an occluder to be shadowed by it, relative to the scene's size:
+/// a body's own lit face is not shadowed by the body.
+constexpr double Contact = 1e-7;
+
+/// A point of a box, often near one of its corners, where the borders of shadows come from.
+Vec3 pointOf(const Box& box, Dice& dice) {
+    Vec3 at = dice.cube();
+    if (dice.chance(0.7)) at = at.cwiseSign();
+    constexpr double JustInside = 1.0 - 1e-6;
+    return box.centre + JustInside * at.cwiseProduct(box.halfExtents);
+}
+
+void appendHits(const BoxSet& receivers, const Vec3& origin, const Vec3& direction,
+                std::vector<Vec3>& points) {
+    for (const Box& box : receivers.boxes())
+        if (const auto hit = rayInBox(box, origin, direction)) {
+            if (hit->begin > 0.0) points.push_back(origin + hit->begin * direction);
+            if (hit->end > 0.0) points.push_back(origin + hit->end * direction);
+        }
+}
+
+} // namespace
+
+std::optional<Interval> rayInBox(const Box& box, const Vec3& origin, const Vec3& direction) {
+    Interval hit{-Infinity, Infinity};
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const double middle = box.centre[axis] - origin[axis];
+        const double half = box.halfExtents[axis];
+        if (direction[axis] == 0.0) {
+            if (std::abs(middle) > half) return std::nullopt;
+            continue;
+        }
+        const double a = (middle - half) / direction[axis];
+        const double b = (middle + half) / direction[axis];
+        hit.begin = std::max(hit.begin, std::min(a, b));
+        hit.end = std::min(hit.end, std::max(a, b));
+    }
+    if (hit.begin > hit.end) return std::nullopt;
+    return hit;
+}
+
+bool sees(const ShadowViewer& viewer, const Vec3& ws) {
+    const Vec4 view = viewer.viewFromWorld * ws.homogeneous();
+    const Vec4 clip = viewer.clipFromView * view;
+    if (clip.head<3>().cwiseAbs().maxCoeff() > clip.w()) return false;
+    return !(viewer.shadowDistance > 0.0) || -view.z() <= viewer.shadowDistance;
+}
+
+bool shinesOn(const ShadowLight& light, const Vec3& ws) {
+    if (light.kind == LightKind::Directional) return true;
+    const Vec3 ray = ws - light.wsPosition;
+    const double depth = ray.dot(light.wsDirection.normalized());
+    return depth >= light.nearDistance && ray.norm() <= light.range &&
+           depth >= std::cos(light.outerHalfAngle) * ray.norm();
+}
+
+Vec3 towardsLight(const ShadowLight& light, const Vec3& ws) {
+    return light.kind == LightKind::Directional ? Vec3(-light.wsDirection.normalized())
+                                                : Vec3((light.wsPosition - ws).normalized());
+}
+
+std::optional<Vec3> occluder(const Scene& scene, const Vec3& ws) {
+    if (!shinesOn(scene.light, ws)) return std::nullopt;
+    const Vec3 direction = towardsLight(scene.light, ws);
+    double last = Infinity;
+    if (scene.light.kind != LightKind::Directional) {
+        // Up to the near distance, which is measured along the axis.
+        const Vec3 axis = scene.light.wsDirection.normalized();
+        const double depth = (ws - scene.light.wsPosition).dot(axis);
+        last = (depth - scene.light.nearDistance) / -direction.dot(axis);
+    }
+    const double first = Contact * scene.size;
+    double farthest = first;
+    for (const Box& box : scene.casters.boxes())
+        if (const auto hit = rayInBox(box, ws, direction))
+            if (hit->begin < last) farthest = std::max(farthest, std::min(hit->end, last));
+    if (farthest == first) return std::nullopt;
+    return ws + farthest * direction;
+}
+
+std::vector<Vec3> visiblePoints(const Scene& scene, Dice& dice, std::size_t rays) {
+    std::vector<Vec3> points;
+    // Rays of the view. Clip depths -1 and 0 are finite without a far plane too.
+    const Mat4 worldFromClip =
+        scene.viewer.viewFromWorld.inverse() * scene.viewer.clipFromView.inverse();
+    for (std::size_t i = 0; i < rays; ++i) {
+        const double x =
+            dice.chance(0.2) ? std::copysign(1.0 - 1e-9, dice.in(-1.0, 1.0)) : dice.in(-1.0, 1.0);
+        const double y =
+            dice.chance(0.2) ? std::copysign(1.0 - 1e-9, dice.in(-1.0, 1.0)) : dice.in(-1.0, 1.0);
+        const Vec3 begin = (worldFromClip * Vec4(x, y, -1.0, 1.0)).hnormalized();
+        const Vec3 end = (worldFromClip * Vec4(x, y, 0.0, 1.0)).hnormalized();
+        appendHits(scene.receivers, begin, end - begin, points);
+    }
+    for (const Box& box : scene.receivers.boxes()) {
+        Vec3 at = dice.cube().cwiseSign();
+        if (dice.chance(0.5)) at[static_cast<Eigen::Index>(dice.below(3))] = dice.in(-1.0, 1.0);
+        points.push_back(box.centre + at.cwiseProduct(box.halfExtents));
+    }
+    std::erase_if(points, [&](const Vec3& p) { return !sees(scene.viewer, p); });
+    return points;
+}
+
+std::vector<ShadowedPoint> shadowedPoints(const Scene& scene, Dice& dice, std::size_t rays) {
+    std::vector<Vec3> points = visiblePoints(scene, dice, rays);
+    const std::vector<Box>& casters = scene.casters.boxes();
+    for (std::size_t i = 0; i < rays && !casters.empty(); ++i) {
+        const Vec3 through = pointOf(casters[dice.below(casters.size())], dice);
+        appendHits(scene.receivers, through, -towardsLight(scene.light, through), points);
+    }
+    std::vector<ShadowedPoint> result;
+    for (const Vec3& p : points)
+        if (sees(scene.viewer, p))
+            if (const auto by = occluder(scene, p)) result.push_back({p, *by});
+    return result;
+}
+
+} // namespace Lixel::Test

@@ -1,0 +1,345 @@
+#include "Problems.h"
+
+#include "fit/Uniform.h"
+#include "fit/Xpsm.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <iomanip>
+#include <numbers>
+#include <ostream>
+
+namespace Lixel::Test {
+namespace {
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Degree = std::numbers::pi / 180.0;
+
+/// Every third to tenth extent vanishes, so that flat, thin and point-like boxes are common.
+Box randomBox(Dice& dice, const Scene& scene, const Vec3& eye, const Vec3& forward) {
+    Box box;
+    const double spread = scene.size * std::pow(10.0, dice.in(-0.5, 0.5));
+    box.centre = eye + spread * dice.cube();
+    if (dice.chance(0.5)) box.centre += 1.2 * spread * forward;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        box.halfExtents[axis] =
+            dice.chance(0.1) ? 0.0 : scene.size * std::pow(10.0, dice.in(-2.5, -0.3));
+    if (dice.chance(0.03)) box.halfExtents.setZero();
+    return box;
+}
+
+ShadowViewer randomViewer(Dice& dice, double size) {
+    ShadowViewer viewer;
+    Vec3 forward = dice.direction();
+    Vec3 up = Vec3::UnitY();
+    switch (dice.below(4)) {
+    case 0: // along an axis
+        forward = Vec3::Zero();
+        forward[static_cast<Eigen::Index>(dice.below(3))] = dice.chance(0.5) ? 1.0 : -1.0;
+        break;
+    case 1: // a walker
+        forward.y() *= 0.2;
+        break;
+    default:
+        break;
+    }
+    forward.normalize();
+    if (std::abs(forward.y()) > 0.999) up = Vec3::UnitX();
+    if (dice.chance(0.2)) up = (up + 0.5 * dice.direction()).normalized();
+    const Vec3 eye = dice.chance(0.5) ? Vec3(Vec3::Zero()) : Vec3(size * dice.cube());
+    viewer.viewFromWorld = lookAlong(eye, forward, up);
+    if (dice.chance(0.1)) {
+        const Vec4 mirror(-1.0, 1.0, 1.0, 1.0);
+        viewer.viewFromWorld = mirror.asDiagonal() * viewer.viewFromWorld;
+    }
+
+    const double nearDepth = size * std::pow(10.0, dice.in(-4.0, -1.0));
+    const double farDepth = size * std::pow(10.0, dice.in(-0.3, 1.5));
+    const double fov = dice.in(15.0, 120.0) * Degree;
+    const double aspect = std::pow(3.0, dice.in(-1.0, 1.0));
+    switch (dice.below(5)) {
+    case 0:
+        viewer.clipFromView = perspective(fov, aspect, nearDepth, Infinity);
+        break;
+    case 1: {
+        const double half = nearDepth * std::tan(fov / 2.0);
+        const double x = half * dice.in(-1.5, 1.5);
+        const double y = half * dice.in(-1.5, 1.5);
+        viewer.clipFromView =
+            frustum(x - half * aspect, x + half * aspect, y - half, y + half, nearDepth, farDepth);
+        break;
+    }
+    case 2: {
+        const double half = size * std::pow(10.0, dice.in(-1.0, 0.5));
+        viewer.clipFromView =
+            orthographic(half * aspect, half, dice.chance(0.5) ? -size : nearDepth, farDepth);
+        break;
+    }
+    default:
+        viewer.clipFromView = perspective(fov, aspect, nearDepth, farDepth);
+        break;
+    }
+    if (dice.chance(0.4)) viewer.shadowDistance = size * std::pow(10.0, dice.in(-0.5, 0.7));
+    return viewer;
+}
+
+Vec3 randomLightDirection(Dice& dice, const ShadowViewer& viewer) {
+    const Vec3 forward = forwardOf(viewer);
+    Vec3 axis = Vec3::Zero();
+    axis[static_cast<Eigen::Index>(dice.below(3))] = dice.chance(0.5) ? 1.0 : -1.0;
+    switch (dice.below(8)) {
+    case 0:
+        return forward;
+    case 1:
+        return -forward;
+    case 2:
+        return -viewer.viewFromWorld.block<1, 3>(1, 0).transpose();
+    case 3:
+        return -Vec3::UnitY();
+    case 4:
+        return axis;
+    case 5: // nearly along the view, either way
+        return (dice.chance(0.5) ? 1.0 : -1.0) * forward +
+               std::pow(10.0, dice.in(-9.0, -1.0)) * dice.direction();
+    default:
+        return dice.direction() * std::pow(10.0, dice.in(-3.0, 3.0));
+    }
+}
+
+} // namespace
+
+double Dice::in(double lower, double upper) {
+    return std::uniform_real_distribution<double>(lower, upper)(mEngine);
+}
+
+std::size_t Dice::below(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(mEngine);
+}
+
+Vec3 Dice::cube() {
+    const double x = in(-1.0, 1.0);
+    const double y = in(-1.0, 1.0);
+    return {x, y, in(-1.0, 1.0)};
+}
+
+Vec3 Dice::direction() {
+    for (;;) {
+        const Vec3 p = cube();
+        if (p.squaredNorm() <= 1.0 && p.squaredNorm() > 1e-4) return p.normalized();
+    }
+}
+
+ShadowProblem Scene::problem() const {
+    return {.viewer = viewer,
+            .light = light,
+            .casters = &casters,
+            .receivers = &receivers,
+            .mapWidth = mapWidth,
+            .mapHeight = mapHeight,
+            .filterRadius = filterRadius,
+            .depthClamp = depthClamp};
+}
+
+void Scene::addBody(const Box& box) {
+    casters.add(box);
+    receivers.add(box);
+}
+
+Mat4 frustum(double left, double right, double bottom, double top, double nearDepth,
+             double farDepth) {
+    Mat4 m = Mat4::Zero();
+    m(0, 0) = 2.0 * nearDepth / (right - left);
+    m(0, 2) = (right + left) / (right - left);
+    m(1, 1) = 2.0 * nearDepth / (top - bottom);
+    m(1, 2) = (top + bottom) / (top - bottom);
+    const bool endless = std::isinf(farDepth);
+    m(2, 2) = endless ? -1.0 : -(farDepth + nearDepth) / (farDepth - nearDepth);
+    m(2, 3) = endless ? -2.0 * nearDepth : -2.0 * farDepth * nearDepth / (farDepth - nearDepth);
+    m(3, 2) = -1.0;
+    return m;
+}
+
+Mat4 perspective(double fovY, double aspect, double nearDepth, double farDepth) {
+    const double half = nearDepth * std::tan(fovY / 2.0);
+    return frustum(-half * aspect, half * aspect, -half, half, nearDepth, farDepth);
+}
+
+Mat4 orthographic(double halfWidth, double halfHeight, double nearDepth, double farDepth) {
+    Mat4 m = Mat4::Identity();
+    m(0, 0) = 1.0 / halfWidth;
+    m(1, 1) = 1.0 / halfHeight;
+    m(2, 2) = -2.0 / (farDepth - nearDepth);
+    m(2, 3) = -(farDepth + nearDepth) / (farDepth - nearDepth);
+    return m;
+}
+
+Mat4 lookAlong(const Vec3& eye, const Vec3& forward, const Vec3& up) {
+    const Vec3 z = -forward.normalized();
+    const Vec3 x = up.cross(z).normalized();
+    Mat4 m = Mat4::Identity();
+    m.block<1, 3>(0, 0) = x.transpose();
+    m.block<1, 3>(1, 0) = z.cross(x).transpose();
+    m.block<1, 3>(2, 0) = z.transpose();
+    m.topRightCorner<3, 1>() = -m.topLeftCorner<3, 3>() * eye;
+    return m;
+}
+
+Vec3 turned(const Vec3& direction, const Vec3& unitAxis, double angle) {
+    return Eigen::AngleAxisd(angle, unitAxis) * direction;
+}
+
+Vec3 eyeOf(const ShadowViewer& viewer) {
+    return viewer.viewFromWorld.inverse().topRightCorner<3, 1>();
+}
+
+Vec3 forwardOf(const ShadowViewer& viewer) {
+    return -viewer.viewFromWorld.block<1, 3>(2, 0).transpose();
+}
+
+Scene outdoors() {
+    Scene scene;
+    scene.size = 10.0;
+    scene.viewer.viewFromWorld = lookAlong(Vec3::Zero(), Vec3(0.0, -0.15, -1.0));
+    scene.viewer.clipFromView = perspective(60.0 * Degree, 16.0 / 9.0, 0.1, 500.0);
+    scene.light.wsDirection = Vec3(0.8, -1.0, 0.3);
+    const double ground = -2.0;
+    scene.receivers.add({Vec3(0.0, ground, 0.0), Vec3(100.0, 0.0, 100.0)});
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) {
+            const Vec3 half(0.6, 0.5 + 0.4 * column, 0.6);
+            scene.addBody({Vec3(4.0 * (column - 1), ground + half.y(), -4.0 - 12.0 * row), half});
+        }
+    return scene;
+}
+
+Scene scaled(const Scene& scene, double factor) {
+    Scene result = scene;
+    result.size *= factor;
+    result.viewer.viewFromWorld.topRightCorner<3, 1>() *= factor;
+    // Clip coordinates of a scaled point stay the same, up to a factor for a perspective matrix:
+    // its row w is (0, 0, -1, 0) at every scale.
+    result.viewer.clipFromView.leftCols<3>() /= factor;
+    if (scene.viewer.clipFromView(3, 3) == 0.0) result.viewer.clipFromView *= factor;
+    result.viewer.shadowDistance *= factor;
+    result.light.wsPosition *= factor;
+    result.light.nearDistance *= factor;
+    result.light.range *= factor;
+    const auto scaleAll = [&](const BoxSet& from, BoxSet& to) {
+        to.clear();
+        for (const Box& box : from.boxes())
+            to.add({box.centre * factor, box.halfExtents * factor});
+    };
+    scaleAll(scene.casters, result.casters);
+    scaleAll(scene.receivers, result.receivers);
+    return result;
+}
+
+rc::Gen<Scene> anyScene() {
+    const auto build = rc::gen::exec([] {
+        Scene scene;
+        const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>());
+        Dice dice(seed);
+        constexpr std::array<double, 4> Sizes = {1e-2, 1.0, 30.0, 5e3};
+        scene.size = Sizes[dice.below(Sizes.size())];
+        scene.viewer = randomViewer(dice, scene.size);
+        const Vec3 eye = eyeOf(scene.viewer);
+        const Vec3 forward = forwardOf(scene.viewer);
+        scene.light.wsDirection = randomLightDirection(dice, scene.viewer);
+        if (dice.chance(0.4)) {
+            scene.light.kind = LightKind::Spot;
+            scene.light.wsPosition = eye + scene.size * dice.cube();
+            if (dice.chance(0.5)) // towards what the viewer looks at
+                scene.light.wsDirection = eye + scene.size * forward - scene.light.wsPosition;
+            scene.light.outerHalfAngle = dice.in(5.0, 80.0) * Degree;
+            scene.light.nearDistance = scene.size * std::pow(10.0, dice.in(-3.0, -1.0));
+            if (dice.chance(0.5)) scene.light.range = scene.size * dice.in(0.5, 5.0);
+        }
+        constexpr std::array<int, 3> MapSizes = {256, 1024, 2048};
+        scene.mapWidth = MapSizes[dice.below(MapSizes.size())];
+        scene.mapHeight = dice.chance(0.7) ? scene.mapWidth : MapSizes[dice.below(3)];
+        constexpr std::array<double, 3> Radii = {0.0, 1.0, 2.5};
+        scene.filterRadius = Radii[dice.below(Radii.size())];
+        scene.depthClamp = dice.chance(0.6);
+        if (dice.chance(0.5)) {
+            const Vec3 half(20.0, dice.chance(0.5) ? 0.0 : 0.05, 20.0);
+            const Box ground{eye - 0.3 * scene.size * Vec3::UnitY(), half * scene.size};
+            scene.receivers.add(ground);
+            if (dice.chance(0.5)) scene.casters.add(ground);
+        }
+
+        const auto bodies = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::uint64_t>>(
+            rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>())));
+        for (std::size_t i = 0; i < std::min<std::size_t>(bodies.size(), 60); ++i) {
+            Dice body(bodies[i]);
+            const Box box = randomBox(body, scene, eye, forward);
+            const double role = body.in(0.0, 1.0);
+            if (role < 0.8) scene.casters.add(box);
+            if (role > 0.2) scene.receivers.add(box);
+        }
+        return scene;
+    });
+    return build;
+}
+
+std::ostream& operator<<(std::ostream& out, const Technique& technique) {
+    return out << technique.name;
+}
+
+const std::vector<Technique>& techniques() {
+    static const std::vector<Technique> all = {
+        {"Uniform",
+         [](const ShadowProblem& problem, FitState& state) { return fitUniform(problem, state); }},
+        {"Xpsm", [](const ShadowProblem& problem, FitState& state) {
+             return fitXpsm(problem, XpsmOptions{}, state);
+         }}};
+    return all;
+}
+
+Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws) {
+    return clipFromWorld * ws.homogeneous();
+}
+
+Vec2 texelOf(const Mat4& clipFromWorld, const Scene& scene, const Vec3& ws) {
+    const Vec4 clip = clipOf(clipFromWorld, ws);
+    const Vec2 size(scene.mapWidth, scene.mapHeight);
+    return (clip.head<2>() / clip.w() + Vec2::Ones()).cwiseProduct(size) / 2.0;
+}
+
+Mat4 roundedToFloat(const Mat4& m) {
+    return m.cast<float>().cast<double>();
+}
+
+std::ostream& operator<<(std::ostream& out, const Box& box) {
+    return out << "{" << box.centre.transpose() << " | " << box.halfExtents.transpose() << "}";
+}
+
+std::ostream& operator<<(std::ostream& out, FitReason reason) {
+    return out << toString(reason);
+}
+
+std::ostream& operator<<(std::ostream& out, const Scene& scene) {
+    const ShadowLight& light = scene.light;
+    out << std::setprecision(17) << "viewFromWorld\n"
+        << scene.viewer.viewFromWorld << "\nclipFromView\n"
+        << scene.viewer.clipFromView << "\nshadowDistance " << scene.viewer.shadowDistance
+        << (light.kind == LightKind::Directional ? "\ndirectional " : "\nspot ")
+        << light.wsDirection.transpose();
+    if (light.kind != LightKind::Directional)
+        out << " at " << light.wsPosition.transpose() << ", half angle " << light.outerHalfAngle
+            << ", near " << light.nearDistance << ", range " << light.range;
+    out << "\nmap " << scene.mapWidth << " x " << scene.mapHeight << ", filter radius "
+        << scene.filterRadius << ", depth clamp " << scene.depthClamp;
+    const auto list = [&](const char* title, const BoxSet& set) {
+        out << "\n" << title << " (centre | half extents)";
+        for (const Box& box : set.boxes())
+            out << "\n  " << box;
+        if (set.unbounded() > 0) out << "\n  unbounded: " << set.unbounded();
+        if (set.invalid() > 0) out << "\n  invalid: " << set.invalid();
+    };
+    list("casters", scene.casters);
+    list("receivers", scene.receivers);
+    return out;
+}
+
+} // namespace Lixel::Test

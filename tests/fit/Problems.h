@@ -1,0 +1,112 @@
+#pragma once
+
+#include "fit/FitState.h"
+#include "fit/ShadowFit.h"
+#include "fit/ShadowProblem.h"
+
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <iosfwd>
+#include <random>
+
+/// Shadow problems: built by hand for examples, drawn at random for properties.
+namespace Lixel::Test {
+
+/// A shadow problem that owns its bodies.
+struct Scene {
+    ShadowViewer viewer;
+    ShadowLight light;
+    BoxSet casters;
+    BoxSet receivers;
+    int mapWidth = 1024;
+    int mapHeight = 1024;
+    double filterRadius = 1.0;
+    bool depthClamp = true;
+    /// A length that is typical of the scene, in world units: what "tiny" is compared with.
+    double size = 1.0;
+
+    ShadowProblem problem() const;
+    /// Adds a body that casts and receives.
+    void addBody(const Box& box);
+};
+
+/// Prints every number of the scene, so that a failure can be made an example.
+std::ostream& operator<<(std::ostream& out, const Scene& scene);
+std::ostream& operator<<(std::ostream& out, const Box& box);
+std::ostream& operator<<(std::ostream& out, FitReason reason);
+
+/// OpenGL's projections; farDepth may be infinite.
+Mat4 frustum(double left, double right, double bottom, double top, double nearDepth,
+             double farDepth);
+Mat4 perspective(double fovY, double aspect, double nearDepth, double farDepth);
+Mat4 orthographic(double halfWidth, double halfHeight, double nearDepth, double farDepth);
+/// View space from world axes for an eye that looks along `forward`; `up` need not be orthogonal.
+Mat4 lookAlong(const Vec3& eye, const Vec3& forward, const Vec3& up = Vec3::UnitY());
+
+/// A direction turned by an angle in radians about a unit axis.
+Vec3 turned(const Vec3& direction, const Vec3& unitAxis, double angle);
+
+Vec3 eyeOf(const ShadowViewer& viewer);
+/// Unit view direction in world axes.
+Vec3 forwardOf(const ShadowViewer& viewer);
+
+/** A plain outdoor scene: a flat ground of 200 x 200, nine boxes standing on it 4 to 28 units
+   ahead, and a viewer of 60° at height 2 that looks slightly down. Light comes from the side. */
+Scene outdoors();
+
+/// A scene scaled about the problem's origin; the same fit is expected.
+Scene scaled(const Scene& scene, double factor);
+
+/// Uniformly random numbers and vectors of one seed.
+class Dice {
+public:
+    explicit Dice(std::uint64_t seed) : mEngine(seed) {}
+    double in(double lower, double upper);
+    std::size_t below(std::size_t count);
+    bool chance(double probability) { return in(0.0, 1.0) < probability; }
+    /// In the cube -1 … 1.
+    Vec3 cube();
+    Vec3 direction();
+
+private:
+    std::mt19937_64 mEngine;
+};
+
+/** Any valid scene.
+
+    1 to 60 bodies of random size and role, flat, thin and zero-sized ones among them, ahead of the
+    viewer and behind it; viewers with perspective, off-axis and orthographic projections, with
+    and without a far plane, mirrored too; directional and spot lights along every special axis.
+    Shrinks by leaving out bodies.
+*/
+rc::Gen<Scene> anyScene();
+
+/// A technique by its name, for tests that all techniques pass.
+struct Technique {
+    const char* name;
+    ShadowFit (*fit)(const ShadowProblem&, FitState&);
+};
+std::ostream& operator<<(std::ostream& out, const Technique& technique);
+
+/// Names the instances of a parameterised test by the parameter's `name`.
+struct ByName {
+    template <typename Info>
+    std::string operator()(const Info& info) const {
+        return info.param.name;
+    }
+};
+
+/// Every technique with its default options.
+const std::vector<Technique>& techniques();
+
+/// Clip coordinates of a world point.
+Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws);
+
+/// Texel coordinates of a world point, w > 0 being assumed.
+Vec2 texelOf(const Mat4& clipFromWorld, const Scene& scene, const Vec3& ws);
+
+/// The matrix that a graphics card gets.
+Mat4 roundedToFloat(const Mat4& m);
+
+} // namespace Lixel::Test

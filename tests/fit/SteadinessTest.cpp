@@ -1,0 +1,347 @@
+/** Contract, 7: with the same bodies, turning the viewer or the light by 1e-4 rad changes ln m at
+    points of the common focus region by at most 0.02.
+
+    m (Lloyd et al.) is 1 / σ_min(d texel / d pixel) on the receiver's tangent plane.
+*/
+#include "Oracle.h"
+
+#include "fit/ConvexVolume.h"
+#include "fit/LightImage.h"
+#include "fit/Polygon2.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <iomanip>
+#include <numbers>
+
+using namespace Lixel;
+using namespace Lixel::Test;
+
+namespace {
+
+constexpr double Degree = std::numbers::pi / 180.0;
+constexpr double Step = 1e-4;
+constexpr double MostChange = 0.02;
+/// Nothing flatter to the view or the light is measured.
+constexpr double LeastCosine = 0.05;
+const Vec2 ScreenSize(1280.0, 720.0);
+
+/// d(pixel or texel) / d(world direction) at x, of a map with `size` pixels.
+Vec2 derivative(const Mat4& clipFromWorld, const Vec2& size, const Vec3& x, const Vec3& d) {
+    const Vec4 clip = clipOf(clipFromWorld, x);
+    const Vec4 step = clipFromWorld * Vec4(d.x(), d.y(), d.z(), 0.0);
+    const Vec2 ndc =
+        (step.head<2>() * clip.w() - clip.head<2>() * step.w()) / (clip.w() * clip.w());
+    return ndc.cwiseProduct(size) / 2.0;
+}
+
+/// A point on a face of a receiver.
+struct Sample {
+    Vec3 ws;
+    Vec3 normal;
+};
+
+/// ln m; none where the surface is nearly edge-on to the light or the viewer.
+std::optional<double> logTexelInPixels(const Scene& scene, const ShadowFit& fit, const Sample& s) {
+    const Vec3 toEye = (eyeOf(scene.viewer) - s.ws).normalized();
+    if (s.normal.dot(toEye) < LeastCosine) return std::nullopt;
+    if (s.normal.dot(towardsLight(scene.light, s.ws)) < LeastCosine) return std::nullopt;
+    const Vec3 a = s.normal.unitOrthogonal();
+    const Vec3 b = s.normal.cross(a);
+    const Mat4 viewClip = scene.viewer.clipFromView * scene.viewer.viewFromWorld;
+    const Vec2 mapSize(scene.mapWidth, scene.mapHeight);
+    Eigen::Matrix2d texel;
+    texel << derivative(fit.clipFromWorld, mapSize, s.ws, a),
+        derivative(fit.clipFromWorld, mapSize, s.ws, b);
+    Eigen::Matrix2d pixel;
+    pixel << derivative(viewClip, ScreenSize, s.ws, a), derivative(viewClip, ScreenSize, s.ws, b);
+    const Eigen::Matrix2d texelPerPixel = texel * pixel.inverse();
+    return -std::log(texelPerPixel.jacobiSvd().singularValues()[1]);
+}
+
+/// Whether the ray of a point is within the region that the map was fitted to.
+bool covers(const Scene& scene, const FitState& state, const Vec3& ws) {
+    const LightImage image(scene.light);
+    const Vec3 ls = image.lsFromPoint(ws);
+    if (!image.directional() && -ls.z() <= scene.light.nearDistance) return false;
+    const Vec2 q = image.project(ls);
+    const Polygon2& hull = state.region.liHull;
+    for (std::size_t i = 0; i < hull.size(); ++i)
+        if (cross(hull[(i + 1) % hull.size()] - hull[i], q - hull[i]) < 0.0) return false;
+    return true;
+}
+
+std::vector<Sample> samplesOf(const Scene& scene, Dice& dice, std::size_t count) {
+    std::vector<Sample> samples;
+    const auto& boxes = scene.receivers.boxes();
+    const Mat4 worldFromClip = (scene.viewer.clipFromView * scene.viewer.viewFromWorld).inverse();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = dice.in(-1.0, 1.0);
+        const double y = dice.in(-1.0, 1.0);
+        const Vec3 begin = (worldFromClip * Vec4(x, y, -1.0, 1.0)).hnormalized();
+        const Vec3 end = (worldFromClip * Vec4(x, y, 0.0, 1.0)).hnormalized();
+        for (const Box& box : boxes) {
+            const auto hit = rayInBox(box, begin, end - begin);
+            if (!hit || hit->begin <= 0.0) continue;
+            const Vec3 p = begin + hit->begin * (end - begin);
+            if (!sees(scene.viewer, p)) continue;
+            // The face that was hit: where the point is nearest to the surface.
+            Eigen::Index axis = 0;
+            ((p - box.centre).cwiseAbs() - box.halfExtents).maxCoeff(&axis);
+            Vec3 normal = Vec3::Zero();
+            normal[axis] = std::copysign(1.0, (begin - box.centre)[axis]);
+            samples.push_back({p, normal});
+        }
+    }
+    return samples;
+}
+
+struct Change {
+    double greatest = 0.0;
+    Vec3 ws = Vec3::Zero();
+    std::size_t measured = 0;
+};
+
+/// The greatest change of ln m over samples that both maps cover.
+Change changeBetween(const Scene& a, const ShadowFit& fitA, const FitState& stateA, const Scene& b,
+                     const ShadowFit& fitB, const FitState& stateB,
+                     const std::vector<Sample>& samples) {
+    Change change;
+    for (const Sample& s : samples) {
+        if (!covers(a, stateA, s.ws) || !covers(b, stateB, s.ws) || !sees(b.viewer, s.ws)) continue;
+        const auto before = logTexelInPixels(a, fitA, s);
+        const auto after = logTexelInPixels(b, fitB, s);
+        if (!before || !after) continue;
+        ++change.measured;
+        if (std::abs(*after - *before) <= change.greatest) continue;
+        change.greatest = std::abs(*after - *before);
+        change.ws = s.ws;
+    }
+    return change;
+}
+
+/** Fits along a path of scenes, with the state carried over, and gives the greatest change from
+    one to the next.
+
+    @param scene gives the i-th scene of the path.
+*/
+template <typename ScenePath>
+void expectSteadyPath(const Technique& technique, int steps, const ScenePath& path) {
+    FitState state;
+    Scene before = path(0);
+    ShadowFit fitBefore = technique.fit(before.problem(), state);
+    ASSERT_TRUE(fitBefore.hasMap());
+    FitState stateBefore = state;
+    Change worst;
+    int worstStep = 0;
+    std::size_t measured = 0;
+    int violations = 0;
+    Dice dice(7);
+    std::vector<Sample> samples;
+    for (int i = 1; i < steps; ++i) {
+        if (i % 100 == 1) samples = samplesOf(before, dice, 60);
+        Scene now = path(i);
+        const ShadowFit fit = technique.fit(now.problem(), state);
+        ASSERT_TRUE(fit.hasMap()) << "step " << i << ": " << fit.reason;
+        const std::size_t jumps = state.orientationJumps;
+        // A jump of the orientation that gains 10 % is counted, and forgiven.
+        if (jumps == stateBefore.orientationJumps) {
+            const Change change =
+                changeBetween(before, fitBefore, stateBefore, now, fit, state, samples);
+            measured += change.measured;
+            if (change.greatest > MostChange) ++violations;
+            if (change.greatest > worst.greatest) {
+                worst = change;
+                worstStep = i;
+            }
+        }
+        before = now;
+        fitBefore = fit;
+        stateBefore = state;
+    }
+    EXPECT_GT(measured, static_cast<std::size_t>(steps));
+    EXPECT_LE(worst.greatest, MostChange)
+        << technique.name << ": " << violations << " of " << steps << " steps, the worst is step "
+        << worstStep << " at " << worst.ws.transpose();
+    EXPECT_LE(state.orientationJumps, 10U) << technique.name;
+}
+
+/** Which bodies count: receivers in view, and casters whose image meets theirs. A fit may change
+    at once when a body comes or goes. */
+std::vector<bool> bodiesThatCount(const Scene& scene) {
+    std::vector<bool> counts;
+    const ConvexVolume volume = viewVolume(scene.viewer);
+    const LightImage image(scene.light);
+    ClipScratch scratch;
+    std::vector<Vec2> all;
+    const auto project = [&](const std::vector<Vec3>& points, std::vector<Vec2>& projected) {
+        for (const Vec3& p : points)
+            projected.push_back(image.project(image.lsFromPoint(p)));
+    };
+    for (const Box& box : scene.receivers.boxes()) {
+        std::vector<Vec3> points;
+        clipBox(box, volume, scratch, points);
+        counts.push_back(!points.empty());
+        project(points, all);
+    }
+    Polygon2 receivers;
+    convexHull(all, receivers);
+    for (const Box& box : scene.casters.boxes()) {
+        std::vector<Vec2> points;
+        const auto eight = corners(box);
+        project({eight.begin(), eight.end()}, points);
+        Polygon2 caster;
+        Polygon2 both;
+        Polygon2 clip;
+        convexHull(points, caster);
+        intersect(receivers, caster, both, clip);
+        counts.push_back(!both.empty());
+    }
+    return counts;
+}
+
+Scene randomOutdoors(Dice& dice) {
+    Scene scene;
+    scene.size = 10.0;
+    const double height = dice.in(0.5, 6.0);
+    const double pitch = dice.in(-40.0, 5.0) * Degree;
+    const double yaw = dice.in(-180.0, 180.0) * Degree;
+    const Vec3 forward(std::cos(pitch) * std::sin(yaw), std::sin(pitch),
+                       -std::cos(pitch) * std::cos(yaw));
+    const Vec3 level(std::sin(yaw), 0.0, -std::cos(yaw));
+    scene.viewer.viewFromWorld = lookAlong(Vec3::Zero(), forward);
+    scene.viewer.clipFromView =
+        perspective(dice.in(40.0, 90.0) * Degree, 16.0 / 9.0, 0.1, dice.in(80.0, 500.0));
+    scene.receivers.add({Vec3(0.0, -height, 0.0), Vec3(100.0, 0.0, 100.0)});
+    const std::size_t bodies = 1 + dice.below(12);
+    for (std::size_t i = 0; i < bodies; ++i) {
+        const Vec3 half(dice.in(0.1, 1.5), dice.in(0.1, 3.0), dice.in(0.1, 1.5));
+        const Vec3 at = dice.in(2.0, 30.0) * level + 6.0 * dice.cube();
+        scene.addBody({Vec3(at.x(), half.y() - height, at.z()), half});
+    }
+    const double elevation = dice.in(8.0, 90.0) * Degree;
+    const double azimuth = dice.in(-180.0, 180.0) * Degree;
+    scene.light.wsDirection = Vec3(std::cos(elevation) * std::sin(azimuth), -std::sin(elevation),
+                                   std::cos(elevation) * std::cos(azimuth));
+    return scene;
+}
+
+Scene viewerTurned(const Scene& scene, const Vec3& unitAxis, double angle) {
+    Scene result = scene;
+    const Mat3 turn = Eigen::AngleAxisd(-angle, unitAxis).toRotationMatrix();
+    const Vec3 eye = eyeOf(scene.viewer);
+    const Mat3 rotation = scene.viewer.viewFromWorld.topLeftCorner<3, 3>() * turn;
+    result.viewer.viewFromWorld.topLeftCorner<3, 3>() = rotation;
+    result.viewer.viewFromWorld.topRightCorner<3, 1>() = -rotation * eye;
+    return result;
+}
+
+class Steadiness : public testing::TestWithParam<Technique> {
+protected:
+    /// Random scenes by `draw`, the viewer or the light turned by a step about a random axis.
+    template <typename Draw>
+    void expectSteady(const Draw& draw) {
+        std::size_t measured = 0;
+        std::size_t left = 0;
+        const bool holds = rc::check([&] {
+            Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+            const Scene a = draw(dice);
+            const Vec3 axis = dice.direction();
+            Scene b = a;
+            const bool turnsViewer = dice.chance(0.5);
+            if (turnsViewer)
+                b = viewerTurned(a, axis, Step);
+            else
+                b.light.wsDirection = turned(a.light.wsDirection, axis, Step);
+            FitState stateA;
+            const ShadowFit fitA = GetParam().fit(a.problem(), stateA);
+            FitState stateB = stateA;
+            const ShadowFit fitB = GetParam().fit(b.problem(), stateB);
+            if (!fitA.hasMap() || !fitB.hasMap() || bodiesThatCount(a) != bodiesThatCount(b)) {
+                ++left;
+                return;
+            }
+            if (stateB.orientationJumps > stateA.orientationJumps) return;
+            const auto samples = samplesOf(a, dice, 100);
+            const Change change = changeBetween(a, fitA, stateA, b, fitB, stateB, samples);
+            measured += change.measured;
+            RC_LOG() << std::setprecision(17) << a << "\n"
+                     << (turnsViewer ? "viewer" : "light") << " turned about " << axis.transpose()
+                     << "\nchange of ln m " << change.greatest << " at " << change.ws.transpose()
+                     << "\nwarps " << fitA.liWarp.transpose() << " and " << fitB.liWarp.transpose()
+                     << " centres " << fitA.liCentre.transpose() << " and "
+                     << fitB.liCentre.transpose() << " angles " << fitA.mapAngle << " and "
+                     << fitB.mapAngle << "\n";
+            RC_ASSERT(change.greatest <= MostChange);
+        });
+        EXPECT_TRUE(holds);
+        EXPECT_GT(measured, left);
+    }
+};
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(EveryTechnique, Steadiness, testing::ValuesIn(techniques()), ByName{});
+
+TEST_P(Steadiness, OfTheSunOutdoors) {
+    expectSteady(randomOutdoors);
+}
+
+TEST_P(Steadiness, OfASpotOutdoors) {
+    expectSteady([](Dice& dice) {
+        Scene scene = randomOutdoors(dice);
+        scene.light.kind = LightKind::Spot;
+        const Vec3 level = forwardOf(scene.viewer).cwiseProduct(Vec3(1.0, 0.0, 1.0)).normalized();
+        const Vec3 target = dice.in(3.0, 25.0) * level + 3.0 * dice.cube();
+        scene.light.wsPosition =
+            target + dice.in(3.0, 25.0) * Vec3(0.0, 1.0, 0.0) + 8.0 * dice.cube();
+        scene.light.wsDirection = target - Vec3(0.0, 6.0, 0.0) - scene.light.wsPosition;
+        scene.light.outerHalfAngle = dice.in(15.0, 70.0) * Degree;
+        return scene;
+    });
+}
+
+TEST_P(Steadiness, ThroughTheMinersLamp) {
+    // The light turns from one side of the view to the other, through its very direction.
+    const Scene scene = outdoors();
+    const Vec3 forward = forwardOf(scene.viewer);
+    const Vec3 axis = Vec3(1.0, 0.3, 0.0).cross(forward).normalized();
+    constexpr int Steps = 6000;
+    expectSteadyPath(GetParam(), Steps, [&](int i) {
+        Scene now = scene;
+        now.light.wsDirection = turned(forward, axis, (i - Steps / 2) * Step);
+        return now;
+    });
+}
+
+TEST_P(Steadiness, ThroughDuelingFrusta) {
+    Scene scene = outdoors();
+    scene.viewer.viewFromWorld = lookAlong(Vec3::Zero(), Vec3(0.0, 0.25, -1.0));
+    const Vec3 forward = forwardOf(scene.viewer);
+    const Vec3 axis = Vec3(1.0, 0.2, 0.0).cross(forward).normalized();
+    constexpr int Steps = 4000;
+    expectSteadyPath(GetParam(), Steps, [&](int i) {
+        Scene now = scene;
+        now.light.wsDirection = turned(-forward, axis, (i - Steps / 2) * Step);
+        return now;
+    });
+}
+
+TEST_P(Steadiness, OfTheSunThroughTheBorderOfItsBasis) {
+    // Light space is turned about the light by a rule that jumps where z of the direction changes
+    // its sign. That must not show.
+    for (const double x : {0.0, 0.3, 0.5, 0.8}) {
+        SCOPED_TRACE(x);
+        const Scene scene = outdoors();
+        constexpr int Steps = 20;
+        expectSteadyPath(GetParam(), Steps, [&](int i) {
+            Scene now = scene;
+            now.light.wsDirection = Vec3(x, -std::sqrt(1.0 - x * x), (i - Steps / 2 + 0.5) * Step);
+            return now;
+        });
+    }
+}

@@ -1,0 +1,243 @@
+// OGRE's own render systems, as they are installed, with no display server. Each test wants a
+// process of its own, as CTest gives it: headless rendering cannot be switched off again.
+
+#include "OgreScene.h"
+
+#include <Lixel/headless/Headless.h>
+
+#include <OgreHardwarePixelBuffer.h>
+#include <OgreRenderTexture.h>
+#include <OgreTextureManager.h>
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+
+namespace Lixel::Tests {
+namespace {
+
+using Ogre::ColourValue;
+
+constexpr unsigned red = 0xFF0000, green = 0x00FF00, blue = 0x0000FF, white = 0xFFFFFF;
+
+class Headless : public testing::Test {
+protected:
+    void SetUp() override {
+        unsetenv("DISPLAY");
+        std::string error;
+        ASSERT_TRUE(Lixel::Headless::enable(error)) << error;
+        ASSERT_TRUE(Lixel::Headless::isEnabled());
+    }
+};
+
+// A red rectangle over the left half of the picture. In its lower part a green one behind its left
+// half, and another in front of its right half.
+void addRectangles(OgreScene& scene) {
+    scene.addRectangle(-1, -1, 0, 1, 0.0f, ColourValue::Red);
+    scene.addRectangle(-1, -1, -0.5f, 0, 0.5f, ColourValue::Green);
+    scene.addRectangle(-0.5f, -1, 0, 0, -0.5f, ColourValue::Green);
+}
+
+void expectRectangles(const Picture& picture, unsigned background) {
+    const unsigned quarter = picture.width() / 4, half = picture.height() / 2;
+    // Upper row, then lower row, from left to right.
+    EXPECT_EQ(picture.at(quarter / 2, half / 2), red);
+    EXPECT_EQ(picture.at(quarter * 3 / 2, half / 2), red);
+    EXPECT_EQ(picture.at(quarter * 3, half / 2), background);
+    EXPECT_EQ(picture.at(quarter / 2, half * 3 / 2), red) << "hidden by depth";
+    EXPECT_EQ(picture.at(quarter * 3 / 2, half * 3 / 2), green);
+    EXPECT_EQ(picture.at(quarter * 3, half * 3 / 2), background);
+    // To the pixel, up to the borders.
+    EXPECT_EQ(picture.count(red), 3 * quarter * half);
+    EXPECT_EQ(picture.count(green), quarter * half);
+    EXPECT_EQ(picture.count(background), 4 * quarter * half);
+}
+
+TEST_F(Headless, DrawsInAWindow) {
+    OgreScene scene("RenderSystem_GL3Plus");
+    auto* window = scene.createWindow("window", 320, 200, Lixel::Headless::windowParameters());
+    EXPECT_EQ(window->getWidth(), 320u);
+    EXPECT_EQ(window->getHeight(), 200u);
+    addRectangles(scene);
+    scene.show(window, ColourValue::Blue);
+    scene.root().renderOneFrame();
+    expectRectangles(Picture(*window), blue);
+}
+
+TEST_F(Headless, DrawsInATexture) {
+    OgreScene scene("RenderSystem_GL3Plus");
+    scene.createWindow("window", 16, 16, Lixel::Headless::windowParameters());
+    auto texture = Ogre::TextureManager::getSingleton().createManual(
+        "texture", Ogre::RGN_DEFAULT, Ogre::TEX_TYPE_2D, 512, 256, 0, Ogre::PF_BYTE_RGBA,
+        Ogre::TU_RENDERTARGET);
+    Ogre::RenderTarget* target = texture->getBuffer()->getRenderTarget();
+    addRectangles(scene);
+    scene.show(target, ColourValue::White);
+    target->update();
+    expectRectangles(Picture(*target), white);
+}
+
+// The legacy render system calls some functions of OpenGL directly and needs the other profile.
+TEST_F(Headless, DrawsWithTheLegacyRenderSystem) {
+    std::string error;
+    ASSERT_TRUE(
+        Lixel::Headless::enable(error, {.profile = Lixel::Headless::Profile::Compatibility}))
+        << error;
+    OgreScene scene("RenderSystem_GL");
+    auto* window = scene.createWindow("window", 320, 200, Lixel::Headless::windowParameters());
+    addRectangles(scene);
+    scene.show(window, ColourValue::Blue);
+    scene.root().renderOneFrame();
+    expectRectangles(Picture(*window), blue);
+}
+
+TEST_F(Headless, RootCanBeMadeAgain) {
+    for (const ColourValue& background :
+         {ColourValue::Blue, ColourValue::White, ColourValue::Blue}) {
+        SCOPED_TRACE(background);
+        OgreScene scene("RenderSystem_GL3Plus");
+        auto* window = scene.createWindow("window", 64, 64, Lixel::Headless::windowParameters());
+        addRectangles(scene);
+        scene.show(window, background);
+        scene.root().renderOneFrame();
+        expectRectangles(Picture(*window), background == ColourValue::Blue ? blue : white);
+    }
+}
+
+TEST_F(Headless, WindowsKeepTheirOwnPictures) {
+    OgreScene scene("RenderSystem_GL3Plus");
+    auto* first = scene.createWindow("first", 64, 48, Lixel::Headless::windowParameters());
+    addRectangles(scene);
+    scene.show(first, ColourValue::Blue);
+    scene.root().renderOneFrame();
+    auto* second = scene.createWindow("second", 640, 480, Lixel::Headless::windowParameters());
+    scene.show(second, ColourValue::White);
+    for (int frame = 0; frame < 2; ++frame) {
+        scene.root().renderOneFrame();
+        expectRectangles(Picture(*first), blue);
+        expectRectangles(Picture(*second), white);
+    }
+}
+
+// Documented: the third one shares the framebuffer of the window that was drawn last, the first.
+TEST_F(Headless, AWindowWithUsedParametersSharesAFramebuffer) {
+    OgreScene scene("RenderSystem_GL3Plus");
+    auto* first = scene.createWindow("first", 64, 48, Lixel::Headless::windowParameters());
+    const Parameters used = Lixel::Headless::windowParameters();
+    auto* second = scene.createWindow("second", 80, 60, used);
+    addRectangles(scene);
+    scene.show(first, ColourValue::Blue);
+    scene.show(second, ColourValue::Blue);
+    second->update();
+    first->update();
+    auto* third = scene.createWindow("third", 640, 480, used);
+    scene.show(third, ColourValue::White);
+    third->update();
+    expectRectangles(Picture(*third), white);
+    expectRectangles(Picture(*second), blue);
+    first->update();
+    expectRectangles(Picture(*first), blue);
+}
+
+TEST_F(Headless, AWindowCanBeResized) {
+    OgreScene scene("RenderSystem_GL3Plus");
+    auto* window = scene.createWindow("window", 64, 48, Lixel::Headless::windowParameters());
+    addRectangles(scene);
+    scene.show(window, ColourValue::Blue);
+    scene.root().renderOneFrame();
+    for (const auto& [width, height] : {std::pair{400u, 300u}, std::pair{40u, 20u}}) {
+        window->resize(width, height);
+        scene.root().renderOneFrame();
+        EXPECT_EQ(window->getWidth(), width);
+        EXPECT_EQ(window->getHeight(), height);
+        expectRectangles(Picture(*window), blue);
+    }
+}
+
+TEST_F(Headless, SizesAreKeptWithinWhatCanBeDrawn) {
+    OgreScene scene("RenderSystem_GL3Plus");
+    auto* empty = scene.createWindow("empty", 0, 0, Lixel::Headless::windowParameters());
+    EXPECT_EQ(empty->getWidth(), 1u);
+    EXPECT_EQ(empty->getHeight(), 1u);
+    auto* wide = scene.createWindow("wide", 100000, 4, Lixel::Headless::windowParameters());
+    EXPECT_EQ(wide->getWidth(), 16384u);
+    EXPECT_EQ(wide->getHeight(), 4u);
+    addRectangles(scene);
+    scene.show(empty, ColourValue::Blue);
+    scene.show(wide, ColourValue::Blue);
+    scene.root().renderOneFrame();
+    expectRectangles(Picture(*wide), blue);
+}
+
+TEST_F(Headless, AWindowWithoutItsParametersIsAnError) {
+    // Kept loaded, so that a leak report can tell that OGRE leaks the window.
+    ASSERT_TRUE(dlopen(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so", RTLD_NOW | RTLD_NODELETE));
+    OgreScene scene("RenderSystem_GL3Plus");
+    testing::internal::CaptureStderr();
+    EXPECT_THROW(scene.createWindow("window", 64, 48, {}), Ogre::RenderingAPIException);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("windowParameters()"), std::string::npos);
+}
+
+TEST_F(Headless, RootNeedsNoWindow) {
+    OgreScene scene("RenderSystem_GL3Plus");
+    EXPECT_EQ(scene.root().getRenderSystem()->getName(), "OpenGL 3+ Rendering Subsystem");
+}
+
+// ------------------------------------------------------- what does not need a render window
+
+TEST(HeadlessErrors, NoOSMesa) {
+    ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
+    std::string error;
+    EXPECT_FALSE(Lixel::Headless::enable(error, {.library = "libNoSuchOSMesa.so.8"}));
+    EXPECT_NE(error.find("libNoSuchOSMesa.so.8"), std::string::npos) << error;
+    EXPECT_NE(error.find("libosmesa6"), std::string::npos) << error;
+    EXPECT_FALSE(Lixel::Headless::isEnabled());
+    EXPECT_TRUE(Lixel::Headless::windowParameters().empty());
+}
+
+TEST(HeadlessErrors, NotOSMesa) {
+    ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
+    std::string error;
+    EXPECT_FALSE(Lixel::Headless::enable(error, {.library = "libm.so.6"}));
+    EXPECT_NE(error.find("libm.so.6 is not"), std::string::npos) << error;
+    EXPECT_FALSE(Lixel::Headless::isEnabled());
+}
+
+TEST(HeadlessErrors, CanBeEnabledAfterAFailure) {
+    std::string error;
+    ASSERT_FALSE(Lixel::Headless::enable(error, {.library = "libNoSuchOSMesa.so.8"}));
+    error.clear();
+    EXPECT_TRUE(Lixel::Headless::enable(error));
+    EXPECT_EQ(error, "");
+    EXPECT_TRUE(Lixel::Headless::isEnabled());
+}
+
+// Without enable() the render system must reach the real libX11, which finds no server.
+TEST(HeadlessErrors, NotEnabled) {
+    ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
+    unsetenv("DISPLAY");
+    Ogre::LogManager logs;
+    logs.createLog("", true, false, true);
+    // It outlives the exception, whose code is in the plugin that Root unloads.
+    Ogre::Root root("", "", "");
+    EXPECT_THROW(root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus"),
+                 Ogre::RenderingAPIException);
+}
+
+TEST(DisplayUsable, NotWithoutAName) {
+    unsetenv("DISPLAY");
+    EXPECT_FALSE(Lixel::Headless::isDisplayUsable());
+    setenv("DISPLAY", "", 1);
+    EXPECT_FALSE(Lixel::Headless::isDisplayUsable());
+}
+
+TEST(DisplayUsable, NotWithoutAServer) {
+    setenv("DISPLAY", ":54321", 1);
+    EXPECT_FALSE(Lixel::Headless::isDisplayUsable());
+    std::string error;
+    ASSERT_TRUE(Lixel::Headless::enable(error)) << error;
+    EXPECT_FALSE(Lixel::Headless::isDisplayUsable());
+}
+
+} // namespace
+} // namespace Lixel::Tests
