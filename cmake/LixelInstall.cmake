@@ -1,0 +1,63 @@
+# What `cmake --install` installs, for applications that say find_package(Lixel):
+#
+#   include/Lixel/ROOM/Header.h        the public headers, included as <Lixel/ROOM/Header.h>
+#   lib/libLixel.so                    target Lixel::Lixel
+#   lib/libLixelHeadless.so            target Lixel::Headless
+#   lib/OGRE/Plugin_Lixel.so           what plugins.cfg names
+#   lib/cmake/Lixel/                   the package's configuration
+#   share/Lixel/materials/             scripts and programs (materials/CMakeLists.txt)
+#   share/Lixel/{plugins,resources}.cfg  the entries that an application needs, to copy
+#
+# The browser is not installed: it reads the plugins.cfg and resources.cfg of the build tree.
+
+include(CMakePackageConfigHelpers)
+
+set(LIXEL_INSTALL_PLUGINS "${CMAKE_INSTALL_LIBDIR}/OGRE")
+set(LIXEL_INSTALL_PACKAGE "${CMAKE_INSTALL_LIBDIR}/cmake/Lixel")
+set(LIXEL_INSTALL_SHARE "${CMAKE_INSTALL_DATADIR}/Lixel")
+
+# Users of the headers need C++20 as well; the export set tells their compiler.
+target_compile_features(Lixel INTERFACE cxx_std_20)
+# The plugin finds libLixel in the folder above, wherever the prefix is.
+set_target_properties(Plugin_Lixel PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+
+install(TARGETS Lixel LixelHeadless EXPORT LixelTargets
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS Plugin_Lixel LIBRARY DESTINATION "${LIXEL_INSTALL_PLUGINS}")
+install(DIRECTORY
+  "${PROJECT_SOURCE_DIR}/plugin/fit"
+  "${PROJECT_SOURCE_DIR}/plugin/scene"
+  "${PROJECT_SOURCE_DIR}/plugin/setup"
+  "${PROJECT_SOURCE_DIR}/plugin/material"
+  "${PROJECT_SOURCE_DIR}/plugin/headless"
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/Lixel"
+  FILES_MATCHING PATTERN "*.h")
+
+install(EXPORT LixelTargets NAMESPACE Lixel:: DESTINATION "${LIXEL_INSTALL_PACKAGE}")
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/LixelConfig.cmake.in" "${PROJECT_BINARY_DIR}/LixelConfig.cmake"
+  INSTALL_DESTINATION "${LIXEL_INSTALL_PACKAGE}"
+  PATH_VARS LIXEL_INSTALL_PLUGINS LIXEL_INSTALL_SHARE)
+write_basic_package_version_file(
+  "${PROJECT_BINARY_DIR}/LixelConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${PROJECT_BINARY_DIR}/LixelConfig.cmake"
+  "${PROJECT_BINARY_DIR}/LixelConfigVersion.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/LixelOgre.cmake"
+  DESTINATION "${LIXEL_INSTALL_PACKAGE}")
+
+# plugins.cfg and resources.cfg name the prefix, which is known for sure only when installing
+# (`cmake --install --prefix`), so they are written then.
+install(CODE "
+  set(source \"${CMAKE_CURRENT_LIST_DIR}\")
+  set(generated \"${PROJECT_BINARY_DIR}/installed\")
+  set(LIXEL_CFG_OGRE_PLUGINS \"${OGRE_PLUGIN_DIR}\")
+  set(LIXEL_CFG_OGRE_MEDIA \"${OGRE_MEDIA_DIR}\")
+  set(LIXEL_CFG_PLUGIN \"\${CMAKE_INSTALL_PREFIX}/${LIXEL_INSTALL_PLUGINS}/Plugin_Lixel.so\")
+  set(LIXEL_CFG_MATERIALS \"\${CMAKE_INSTALL_PREFIX}/${LIXEL_INSTALL_SHARE}/materials\")
+  foreach(file plugins.cfg resources.cfg)
+    configure_file(\"\${source}/\${file}.in\" \"\${generated}/\${file}\" @ONLY)
+    file(INSTALL \"\${generated}/\${file}\"
+         DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${LIXEL_INSTALL_SHARE}\")
+  endforeach()
+")

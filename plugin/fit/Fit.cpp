@@ -181,6 +181,7 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
         .problem = problem,
         .image = image,
         .region = region,
+        .state = state,
         .viewer = image.oriented(image.lsFromPoint(worldFromView.topRightCorner<3, 1>())),
         .viewDirection = image.orientedDirection(
             image.lsFromDirection(-worldFromView.block<3, 1>(0, 2).stableNormalized())),

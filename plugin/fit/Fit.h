@@ -16,6 +16,7 @@ struct WarpContext {
     const ShadowProblem& problem;
     const LightImage& image;
     const FocusRegion& region;
+    FitState& state;
     /// ℓ of the viewer's position, relative to nothing; third component <= 0 where a local light
     /// does not shine towards the viewer.
     Vec3 viewer;

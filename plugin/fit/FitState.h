@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/FocusRegion.h"
+#include "fit/ViewSamples.h"
 
 #include <optional>
 
@@ -15,6 +15,10 @@ struct FitState {
     FocusScratch scratch;
     FocusRegion region;
     Polygon2 warped;
+    ViewSampleScratch sampling;
+    std::vector<ViewSample> samples;
+    /// The focus region's hull with few vertices, for evaluating many warps.
+    Polygon2 simpleHull;
     /// Direction of the last map's x axis in its warped light image, in [0, π/2).
     std::optional<double> mapAngle;
     /// How often the direction was given up for a smaller map.

@@ -33,21 +33,20 @@ void addLightVolume(const ShadowLight& light, const LightImage& image, ConvexVol
     }
 }
 
-/// Appends to `points` the vertices of box ∩ volume.
-void appendVisible(const Box& box, const ConvexVolume& volume, ClipScratch& scratch,
-                   std::vector<Vec3>& points) {
-    switch (volume.classify(box)) {
-    case ConvexVolume::Side::Outside:
-        return;
-    case ConvexVolume::Side::Inside:
-        for (const Vec3& corner : corners(box))
-            points.push_back(corner);
-        return;
-    case ConvexVolume::Side::Straddles:
-        clipBox(box, volume, scratch, points);
-        return;
+/// An affine function of world points, and its range over a box.
+struct Gauge {
+    Vec3 normal;
+    Vec3 absolute;
+    double offset;
+
+    Gauge(const Vec3& n, double d) : normal(n), absolute(n.cwiseAbs()), offset(d) {}
+    double at(const Vec3& ws) const { return normal.dot(ws) + offset; }
+    Vec2 over(const Box& box) const {
+        const double middle = at(box.centre);
+        const double reach = absolute.dot(box.halfExtents);
+        return {middle - reach, middle + reach};
     }
-}
+};
 
 /// A box that holds the volume, for bodies without bounds; false where the volume has none either.
 bool boundsOf(const ShadowViewer& viewer, Box& box) {
@@ -83,10 +82,14 @@ bool boundsOf(const ShadowViewer& viewer, Box& box) {
     return box.centre.allFinite() && box.halfExtents.allFinite();
 }
 
-struct CasterReach {
-    bool reaches = false;
-    double lsNear = 0.0;
-};
+/// Widens `range` to the values between `least` and `greatest`.
+void include(Vec2& range, double least, double greatest) {
+    range = {std::min(range.x(), least), std::max(range.y(), greatest)};
+}
+
+bool holds(const Vec2& range, const Vec2& other) {
+    return range.x() <= other.x() && other.y() <= range.y();
+}
 
 /// Whether a caster's image, given as points, can touch the polygon: no edge separates them.
 bool mayTouch(std::span<const Vec2> caster, const Polygon2& polygon) {
@@ -97,7 +100,145 @@ bool mayTouch(std::span<const Vec2> caster, const Polygon2& polygon) {
     return true;
 }
 
+/// Collects what is visible of receivers.
+class Receivers {
+public:
+    Receivers(const ShadowProblem& problem, const LightImage& image, FocusScratch& scratch)
+        : mProblem(problem),
+          mImage(image),
+          mScratch(scratch),
+          mLsDepth(-image.lsFromWs().row(2).transpose(),
+                   image.lsFromWs().row(2).dot(image.wsEye())),
+          mVsDepth(-problem.viewer.viewFromWorld.row(2).head<3>().transpose(),
+                   -problem.viewer.viewFromWorld(2, 3)),
+          mSeen(viewVolume(problem.viewer)) {
+        addLightVolume(problem.light, image, mSeen);
+        scratch.receivers.reset(image);
+        scratch.straddling.clear();
+    }
+
+    /// Adds a receiver, or puts it off until a clearly larger one has widened the hull: clipping is
+    /// dear, and most boxes at the rim of the view are inside what a ground shows there.
+    void add(const Box& box) {
+        if (addsNothing(box)) return;
+        switch (mSeen.classify(box)) {
+        case ConvexVolume::Side::Outside:
+            return;
+        case ConvexVolume::Side::Inside:
+            addCorners(box);
+            return;
+        case ConvexVolume::Side::Straddles:
+            const double size = box.halfExtents.sum();
+            if (size > 2.0 * mLargestClipped) {
+                mLargestClipped = size;
+                addClipped(box);
+            } else {
+                mScratch.straddling.push_back(&box);
+            }
+            return;
+        }
+    }
+    void addPutOff() {
+        for (const Box* box : mScratch.straddling)
+            if (!addsNothing(*box)) addClipped(*box);
+    }
+
+    const Vec2& lsRange() const { return mLsRange; }
+    const Vec2& vsRange() const { return mVsRange; }
+
+private:
+    /// Whether all of the box, in view or not, lies within what was added already; or beyond the
+    /// shadow distance.
+    bool addsNothing(const Box& box) const {
+        const Vec2 vs = mVsDepth.over(box);
+        const double shadowDistance = mProblem.viewer.shadowDistance;
+        if (shadowDistance > 0.0 && vs.x() > shadowDistance) return true;
+        return holds(mVsRange, vs) && holds(mLsRange, mLsDepth.over(box)) &&
+               mScratch.receivers.classify(box) == ConvexVolume::Side::Inside;
+    }
+
+    void addCorners(const Box& box) {
+        const Vec2 ls = mLsDepth.over(box);
+        const Vec2 vs = mVsDepth.over(box);
+        include(mLsRange, ls.x(), ls.y());
+        include(mVsRange, vs.x(), vs.y());
+        for (const Vec3& ws : corners(box))
+            mScratch.receivers.add(mImage.project(mImage.lsFromPoint(ws)));
+    }
+
+    void addClipped(const Box& box) {
+        mScratch.wsPoints.clear();
+        clipBox(box, mSeen, mScratch.clip, mScratch.wsPoints);
+        for (const Vec3& ws : mScratch.wsPoints) {
+            const Vec3 ls = mImage.lsFromPoint(ws);
+            // A clipped vertex lies on the near plane but for rounding; nothing is divided by less.
+            if (!mImage.directional() && -ls.z() < 0.5 * mProblem.light.nearDistance) continue;
+            include(mLsRange, -ls.z(), -ls.z());
+            const double depth = mVsDepth.at(ws);
+            include(mVsRange, depth, depth);
+            mScratch.receivers.add(mImage.project(ls));
+        }
+    }
+
+    const ShadowProblem& mProblem;
+    const LightImage& mImage;
+    FocusScratch& mScratch;
+    Gauge mLsDepth;
+    Gauge mVsDepth;
+    ConvexVolume mSeen;
+    Vec2 mLsRange = Vec2(Infinity, -Infinity);
+    Vec2 mVsRange = Vec2(Infinity, -Infinity);
+    double mLargestClipped = 0.0;
+};
+
 } // namespace
+
+void ImageHull::reset(const LightImage& image) {
+    mImage = image;
+    mHull.clear();
+    mPoints.clear();
+    mEdges.clear();
+}
+
+void ImageHull::add(const Vec2& point) {
+    // Updates are worth their sorting while points are few, and cost less than all points at once.
+    constexpr std::size_t LeastNews = 32;
+    mPoints.push_back(point);
+    if (mPoints.size() >= 2 * mHull.size() + LeastNews) update();
+}
+
+const Polygon2& ImageHull::hull() {
+    if (mPoints.size() != mHull.size()) update();
+    return mHull;
+}
+
+void ImageHull::update() {
+    convexHull(mPoints, mHull);
+    mPoints.assign(mHull.begin(), mHull.end());
+    mEdges.clear();
+    for (std::size_t i = 0; i < mHull.size() && mHull.size() > 2; ++i) {
+        const Vec2& a = mHull[i];
+        const Vec2 edge = mHull[(i + 1) % mHull.size()] - a;
+        // cross(edge, q - a) >= 0 for q = (x, y), or for q = (x, y) / -z with -z multiplied out.
+        const double at = cross(edge, a);
+        const Vec3 ls(-edge.y(), edge.x(), mImage.directional() ? 0.0 : at);
+        const Vec3 ws = mImage.lsFromWs().transpose() * ls;
+        mEdges.push_back(
+            {ws, ws.cwiseAbs(), -ws.dot(mImage.wsEye()) - (mImage.directional() ? at : 0.0)});
+    }
+}
+
+ConvexVolume::Side ImageHull::classify(const Box& box) const {
+    ConvexVolume::Side side =
+        mEdges.empty() ? ConvexVolume::Side::Straddles : ConvexVolume::Side::Inside;
+    for (const EdgePlane& edge : mEdges) {
+        const double distance = edge.normal.dot(box.centre) + edge.offset;
+        const double reach = edge.absolute.dot(box.halfExtents);
+        if (distance < -reach) return ConvexVolume::Side::Outside;
+        if (distance < reach) side = ConvexVolume::Side::Straddles;
+    }
+    return side;
+}
 
 void findFocusRegion(const ShadowProblem& problem, const LightImage& image, FocusScratch& scratch,
                      FocusRegion& region) {
@@ -110,87 +251,72 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
     if (casters.empty()) return stop(FitReason::NoCasters);
 
     // Visible receivers, clipped to what the viewer sees and the light reaches.
-    const ConvexVolume view = viewVolume(problem.viewer);
-    ConvexVolume seen = view;
-    addLightVolume(problem.light, image, seen);
-    scratch.wsPoints.clear();
+    Receivers visible(problem, image, scratch);
     for (const Box& box : receivers.boxes())
-        appendVisible(box, seen, scratch.clip, scratch.wsPoints);
+        visible.add(box);
+    Box everything;
     if (receivers.unbounded() > 0) {
-        Box box;
-        if (!boundsOf(problem.viewer, box)) return stop(FitReason::Unbounded);
-        appendVisible(box, seen, scratch.clip, scratch.wsPoints);
+        if (!boundsOf(problem.viewer, everything)) return stop(FitReason::Unbounded);
+        visible.add(everything);
         region.reason = FitReason::UnboundedBody;
     }
-    if (scratch.wsPoints.empty()) return stop(FitReason::NoReceivers);
-
-    region.lsReceiverNear = region.vsReceiverNear = Infinity;
-    region.lsReceiverFar = region.vsReceiverFar = -Infinity;
-    const Vec4 vsDepth = -problem.viewer.viewFromWorld.row(2).transpose();
-    scratch.points.clear();
-    for (const Vec3& ws : scratch.wsPoints) {
-        const Vec3 ls = image.lsFromPoint(ws);
-        const double lsDepth = -ls.z();
-        // A clipped vertex lies on the near plane but for rounding; nothing is divided by less.
-        if (!image.directional() && lsDepth < 0.5 * problem.light.nearDistance) continue;
-        const double depth = vsDepth.head<3>().dot(ws) + vsDepth.w();
-        region.lsReceiverNear = std::min(region.lsReceiverNear, lsDepth);
-        region.lsReceiverFar = std::max(region.lsReceiverFar, lsDepth);
-        region.vsReceiverNear = std::min(region.vsReceiverNear, depth);
-        region.vsReceiverFar = std::max(region.vsReceiverFar, depth);
-        scratch.points.push_back(image.project(ls));
-    }
-    if (scratch.points.empty()) return stop(FitReason::NoReceivers);
-    convexHull(scratch.points, scratch.receiverHull);
+    visible.addPutOff();
+    const Polygon2& receiverHull = scratch.receivers.hull();
+    if (receiverHull.empty()) return stop(FitReason::NoReceivers);
+    region.lsReceiverNear = visible.lsRange().x();
+    region.lsReceiverFar = visible.lsRange().y();
+    region.vsReceiverNear = visible.vsRange().x();
+    region.vsReceiverFar = visible.vsRange().y();
 
     // Casters between the light and a visible receiver.
     region.lsCasterNear = Infinity;
-    bool any = casters.unbounded() > 0;
-    scratch.points.clear();
+    const Gauge lsDepth(-image.lsFromWs().row(2).transpose(),
+                        image.lsFromWs().row(2).dot(image.wsEye()));
     ConvexVolume lit;
     addLightVolume(problem.light, image, lit);
-    std::array<Vec2, 8> box8;
+    scratch.casters.reset(image);
     for (const Box& box : casters.boxes()) {
-        const std::size_t before = scratch.points.size();
-        double nearest = Infinity;
-        if (image.directional()) {
-            const Vec3 centre = image.lsFromPoint(box.centre);
-            const double radius =
-                image.lsFromWs().row(2).cwiseAbs().dot(box.halfExtents.transpose());
-            nearest = -centre.z() - radius;
-            if (nearest > region.lsReceiverFar) continue;
-            const auto corner = corners(box);
-            for (std::size_t i = 0; i < 8; ++i)
-                box8[i] = image.project(image.lsFromPoint(corner[i]));
-            scratch.points.insert(scratch.points.end(), box8.begin(), box8.end());
-        } else {
+        double nearest = lsDepth.over(box).x();
+        if (nearest > region.lsReceiverFar) continue;
+        const bool nearer = nearest < region.lsCasterNear;
+        if (!nearer && scratch.casters.classify(box) == ConvexVolume::Side::Inside) continue;
+        if (scratch.receivers.classify(box) == ConvexVolume::Side::Outside) continue;
+
+        scratch.points.clear();
+        switch (lit.classify(box)) {
+        case ConvexVolume::Side::Outside:
+            continue;
+        case ConvexVolume::Side::Inside:
+            for (const Vec3& ws : corners(box))
+                scratch.points.push_back(image.project(image.lsFromPoint(ws)));
+            break;
+        case ConvexVolume::Side::Straddles:
+            nearest = Infinity;
             scratch.wsPoints.clear();
-            appendVisible(box, lit, scratch.clip, scratch.wsPoints);
+            clipBox(box, lit, scratch.clip, scratch.wsPoints);
             for (const Vec3& ws : scratch.wsPoints) {
                 const Vec3 ls = image.lsFromPoint(ws);
                 if (-ls.z() < 0.5 * problem.light.nearDistance) continue;
                 nearest = std::min(nearest, -ls.z());
                 scratch.points.push_back(image.project(ls));
             }
+            break;
         }
-        const std::span<const Vec2> mine(scratch.points.data() + before,
-                                         scratch.points.size() - before);
-        if (mine.empty() || nearest > region.lsReceiverFar ||
-            !mayTouch(mine, scratch.receiverHull)) {
-            scratch.points.resize(before);
+        if (scratch.points.empty() || nearest > region.lsReceiverFar ||
+            !mayTouch(scratch.points, receiverHull))
             continue;
-        }
-        any = true;
         region.lsCasterNear = std::min(region.lsCasterNear, nearest);
+        for (const Vec2& point : scratch.points)
+            scratch.casters.add(point);
     }
-    if (!any) return stop(FitReason::NothingShadowed);
     if (casters.unbounded() > 0) {
         region.reason = FitReason::UnboundedBody;
-        region.lsCasterNear = region.lsReceiverNear;
-        region.liHull = scratch.receiverHull;
+        region.lsCasterNear = std::min(region.lsCasterNear, region.lsReceiverNear);
+        region.liHull = receiverHull;
     } else {
-        convexHull(scratch.points, scratch.casterHull);
-        intersect(scratch.receiverHull, scratch.casterHull, region.liHull, scratch.polygon);
+        const Polygon2& casterHull = scratch.casters.hull();
+        if (casterHull.empty()) return stop(FitReason::NothingShadowed);
+        intersect(receiverHull, casterHull, region.liHull, scratch.polygon);
     }
     if (region.liHull.empty()) return stop(FitReason::NothingShadowed);
     region.liCentre = steinerPoint(region.liHull);

@@ -1,6 +1,7 @@
 #include "fit/Xpsm.h"
 
 #include "fit/Fit.h"
+#include "fit/Warp.h"
 
 #include <Eigen/Geometry>
 
@@ -17,61 +18,125 @@ constexpr double FadeSine = 0.2;
 /// that touches the eye must not pull all texels to itself.
 constexpr double LeastNearRatio = 1e-3;
 
+/// Evaluations of the search. Golden section narrows the interval by 0.618 with each, to 1 % of it.
+constexpr int SearchSteps = 10;
+
+/// Relative gains over a uniform map from which on the search is believed at all, and in full.
+/// Between prediction and drawn pictures they separate what helped from what did not.
+constexpr double DoubtfulGain = 0.05;
+constexpr double ClearGain = 0.2;
+
+/// Vertices of the focus region that the search keeps; the fit itself uses all.
+constexpr std::size_t SearchVertices = 12;
+
 double smoothstep(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
+/** The fraction of `warp` at which the expected texel extent is least, in [0, 1].
+
+    Along a direction the extent has one minimum in the logarithm of the ratio between greatest and
+    least denominator; the search runs in that, by golden section (Kiefer 1953), and compares with
+    both ends. As the extent falls from no warp to that minimum, stopping short of it is never worse
+    than no warp either.
+*/
+double bestFraction(const WarpContext& context, const Vec2& warp) {
+    FitState& state = context.state;
+    const FocusRegion& region = context.region;
+    sampleView(context.problem, context.image, region, state.sampling, state.samples);
+    if (state.samples.empty()) return 0.0;
+    state.simpleHull = region.liHull;
+    simplifyOutward(state.simpleHull, SearchVertices);
+
+    // A simplified hull reaches farther than the hull: the warp must be safe on it too.
+    Vec2 longest = warp;
+    pullIntoSafeSet(state.simpleHull, region.liCentre, 0.0, longest);
+    const WarpExtent extent = warpExtent(state.simpleHull, region.liCentre, longest, 0.0);
+    // With denominators 1 - f A to 1 + f B at fraction f, their ratio is e^s at
+    // f = (1 - e^-s) / (A + e^-s B).
+    const double greatest = std::log((1.0 + extent.greatest) / (1.0 - extent.least));
+    if (!(greatest > 0.0) || !std::isfinite(greatest)) return 0.0;
+    const auto fractionAt = [&](double s) {
+        const double r = std::exp(-s);
+        return std::min(1.0, (1.0 - r) / (extent.least + r * extent.greatest));
+    };
+    const auto cost = [&](double s) {
+        return expectedTexelExtent(state.samples, state.simpleHull, region.liCentre,
+                                   fractionAt(s) * longest, state.warped);
+    };
+    constexpr double Golden = 0.6180339887498949;
+    double lower = 0.0;
+    double upper = greatest;
+    double a = upper - Golden * (upper - lower);
+    double b = lower + Golden * (upper - lower);
+    double costA = cost(a);
+    double costB = cost(b);
+    for (int i = 2; i < SearchSteps; ++i) {
+        if (costA < costB) {
+            upper = b;
+            b = a;
+            costB = costA;
+            a = upper - Golden * (upper - lower);
+            costA = cost(a);
+        } else {
+            lower = a;
+            a = b;
+            costA = costB;
+            b = lower + Golden * (upper - lower);
+            costB = cost(b);
+        }
+    }
+    double best = costA < costB ? a : b;
+    double bestCost = std::min(costA, costB);
+    if (const double costAll = cost(greatest); costAll < bestCost) {
+        best = greatest;
+        bestCost = costAll;
+    }
+    // Boxes are a coarse model of what is seen: a gain must be clear to be believed.
+    const double gain = 1.0 - bestCost / cost(0.0);
+    const double belief = smoothstep((gain - DoubtfulGain) / (ClearGain - DoubtfulGain));
+    return belief * fractionAt(best) * (longest.norm() / warp.norm());
+}
+
 WarpChoice xpsmWarp(const WarpContext& context, const XpsmOptions& options) {
     const FocusRegion& region = context.region;
-    if (!context.perspective || !(options.strength > 0.0)) return {};
+    if (!context.image.directional() || !context.perspective) return {};
+    if (!(options.strength > 0.0) || !(region.vsReceiverFar > 0.0)) return {};
 
-    // §3.2: coef, with depths in place of a scene's scale.
-    const double farDepth = region.vsReceiverFar;
-    const double nearDepth = std::max(region.vsReceiverNear, LeastNearRatio * farDepth);
-    if (!(farDepth > 0.0)) return {};
-    const double coef = options.strength / std::sqrt(nearDepth * farDepth);
-
-    // §3.1: the direction in which the view line runs in the light's image. With the line's ℓ at
-    // depth t being e + t v, its image moves along v_xy e_z - e_xy v_z; for a directional light
-    // that is V_xy.
-    const Vec3& e = context.viewer;
-    const Vec3& v = context.viewDirection;
-    const Vec2 along = v.head<2>() * e.z() - e.head<2>() * v.z();
-    if (!(along.norm() > 0.0)) return {Vec2::Zero(), FitReason::LightAlongView};
-    const Vec2 direction = along.normalized();
-
-    // Sine between the view and the light ray through the viewer; a local light so near that the
-    // ray's direction means nothing fades it too.
-    const double sine = context.image.directional()
-                            ? along.norm()
-                            : e.cross(v).norm() / (e.norm() + FadeSine * region.lsReceiverFar);
+    // §3.1: along the image of the view direction, whose length is the sine between view and light.
+    const Vec2 along = context.viewDirection.head<2>();
+    const double sine = along.norm();
+    if (!(sine > 0.0)) return {Vec2::Zero(), FitReason::LightAlongView};
+    const Vec2 direction = along / sine;
     const double fade = smoothstep(sine / FadeSine);
 
-    // The denominator along the view line is affine in t: f0 + t f1 with h = (s u, 1 - s u . c).
-    // f1 / f0 = coef gives s; for a directional light this is lengthP = coef / cos γ moved to c.
-    const Vec2& c = region.liCentre;
-    const double alpha = direction.dot(e.head<2>() - c * e.z());
-    const double beta = direction.dot(v.head<2>() - c * v.z());
-    const double numerator = coef * e.z() - v.z();
-    const double denominator = beta - coef * alpha;
-    if (!(numerator > 0.0)) return {}; // a local light's own perspective does as much already
+    // §3.2: at depth t in front of the viewer the denominator is affine in t, f0 + t f1; f1 / f0 =
+    // coef is lengthP = coef / cos γ. Depths stand for the scale of the scene, and the warp is
+    // about the region's centre instead of the viewer.
+    const double farDepth = region.vsReceiverFar;
+    const double nearDepth = std::max(region.vsReceiverNear, LeastNearRatio * farDepth);
+    const double coef = options.strength / std::sqrt(nearDepth * farDepth);
+    const double centre = direction.dot(region.liCentre);
+    const double viewer = direction.dot(context.viewer.head<2>()) - centre;
+    const double slope = sine - coef * viewer;
+    double length = slope > 0.0 ? coef / slope : std::numeric_limits<double>::infinity();
 
-    // Eq. (3): the least denominator, relative to the viewer's, is epsilonW.
-    const double lowest = -support(region.liHull, -direction) - direction.dot(c);
-    const double viewerAt = e.z() > 0.0 ? direction.dot(e.head<2>() / e.z() - c) : 0.0;
-    const double epsilonW = std::clamp(options.epsilonW, 0.0, 1.0);
-    const double perLength = epsilonW * viewerAt - lowest;
-    double length = std::numeric_limits<double>::infinity();
-    if (denominator > 0.0) length = numerator / denominator;
+    // §3.3, eq. (3): the region's least denominator, relative to the viewer's, is at least
+    // epsilonW.
     FitReason reason = FitReason::None;
+    const double epsilonW = std::clamp(options.epsilonW, 0.0, 1.0);
+    const double lowest = -support(region.liHull, -direction) - centre;
+    const double perLength = epsilonW * viewer - lowest;
     if (perLength > 0.0 && length * perLength > 1.0 - epsilonW) {
         length = (1.0 - epsilonW) / perLength;
         reason = FitReason::WarpClamped;
     }
     if (!std::isfinite(length)) return {};
-    if (fade < 1.0) reason = FitReason::LightAlongView;
-    return {fade * length * direction, reason};
+
+    Vec2 warp = fade * length * direction;
+    if (options.guarded && !warp.isZero(0.0)) warp *= bestFraction(context, warp);
+    return {warp, fade < 1.0 ? FitReason::LightAlongView : reason};
 }
 
 } // namespace

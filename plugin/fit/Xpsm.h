@@ -4,7 +4,7 @@
 
 namespace Lixel {
 
-/// What a user may turn about XPSM. Both are pure numbers: no tuning to a scene's scale.
+/// What a user may turn about XPSM. The numbers are pure ones: no tuning to a scene's scale.
 struct XpsmOptions {
     /** Strength of the warp, Gusev's `coef` freed of its unit: coef = strength / sqrt(n f), for n
         and f the depths of the nearest and farthest visible receiver. 1 is the balance of near and
@@ -13,6 +13,10 @@ struct XpsmOptions {
     /** Gusev's epsilonW (2007, eq. 3): the least denominator in the focus region, relative to the
         viewer's. In (0, 1]; near 1 a caster behind the viewer dampens the warp more. */
     double epsilonW = 0.7;
+    /** Whether the warp is searched for between none and the one that the constants give, where
+        the expected extent of a texel in the viewer's picture is least. It is then never worse
+        than a uniform map's. Without, the warp is literally Gusev's. */
+    bool guarded = true;
 };
 
 /** Extended perspective shadow maps (Gusev 2007).
@@ -21,7 +25,7 @@ struct XpsmOptions {
     depth d in front of the viewer 1 + coef d (§3.2), and is bounded so that the focus region's
     least denominator is epsilonW (§3.3, eq. 3). Where the paper switches to a uniform map (the
     miner's lamp, §3.11, |V_xy| < 0.1) the warp fades out instead. Local lights, which the paper
-    leaves out, follow the same two conditions in their perspective image.
+    leaves out, get the uniform map: their own perspective does much of what the warp would.
 
     @return one map, or the reason why there is none. @see ShadowFit
 */

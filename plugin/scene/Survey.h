@@ -23,10 +23,12 @@ namespace Lixel {
     frame's, under any scene manager that keeps movable objects on scene nodes.
 
     An object counts where OGRE would draw it: visible by its own flag, by the masks of scene
-    manager and viewport, and within its rendering distance from the viewer. It casts as its
-    `castShadows` says; it receives where a material of its does, its render queue group takes part
-    in shadows, and its box is in view. Where the scene manager's self-shadowing is off, OGRE lets
-    no caster receive, and neither does the survey.
+    manager and viewport, and within its rendering distance. It casts as its `castShadows` says; it
+    receives where a material of its does (or of what is attached to its bones), its render queue
+    group takes part in shadows, and its box is in view. Where the scene manager's self-shadowing is
+    off, OGRE lets no caster receive, and neither does the survey. What OGRE leaves out for its size
+    in pixels, or because a listener of the object says so, counts nevertheless: the map is then a
+    little larger than it need be.
 
     Boxes of objects that OGRE itself moves later in the frame (auto-tracking nodes, instance
     batches moved by nodes) are last frame's.
@@ -50,6 +52,8 @@ public:
 private:
     void visit(Ogre::SceneNode& node);
     void visit(Ogre::MovableObject& object);
+    /// As its materials, its render queue group and self-shadowing have it.
+    bool receives(Ogre::MovableObject& object) const;
 
     ShadowViewer mViewer;
     Vec3 mWsOrigin = Vec3::Zero();

@@ -21,6 +21,11 @@ public:
     void setEpsilonW(Ogre::Real epsilonW);
     Ogre::Real getEpsilonW() const { return static_cast<Ogre::Real>(mOptions.epsilonW); }
 
+    /// Whether the warp is weakened where that makes texels smaller in the picture, so that it is
+    /// never worse than a uniform map's; otherwise it is literally the paper's. Default true.
+    void setGuarded(bool guarded) { mOptions.guarded = guarded; }
+    bool getGuarded() const { return mOptions.guarded; }
+
 protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
 

@@ -49,6 +49,16 @@ void refuseBadNumbers(const aiScene& model, const std::string& path) {
     }
 }
 
+/// Whether anything has three corners; otherwise post-processing fails with less to say.
+bool hasFaces(const aiScene& model) {
+    for (unsigned i = 0; i < model.mNumMeshes; ++i) {
+        const aiMesh& mesh = *model.mMeshes[i];
+        const auto isFace = [](const aiFace& face) { return face.mNumIndices >= 3; };
+        if (std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, isFace)) return true;
+    }
+    return false;
+}
+
 Vector3d apply(const Matrix4d& matrix, const Vector3d& p) {
     return matrix.topLeftCorner<3, 3>() * p + matrix.topRightCorner<3, 1>();
 }
@@ -150,7 +160,8 @@ struct ModelFile::Impl {
                         "ModelFile");
         read();
         measure();
-        hasGround = groundArea() >= GroundCoverage * bounds.sizes().x() * bounds.sizes().z();
+        const double footprint = bounds.sizes().x() * bounds.sizes().z();
+        hasGround = footprint > 0.0 && groundArea() >= GroundCoverage * footprint;
     }
 
     void read() {
@@ -161,10 +172,16 @@ struct ModelFile::Impl {
         model = importer.ReadFile(path, 0);
         if (!model) refuse(path, std::string("cannot be read: ") + importer.GetErrorString());
         refuseBadNumbers(*model, path);
-        if (!model->mRootNode || model->mNumMeshes == 0) refuse(path, "holds no triangles");
-        model = importer.ApplyPostProcessing(
-            aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
-            aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices | aiProcess_FlipUVs);
+        if (!model->mRootNode || !hasFaces(*model)) refuse(path, "holds no triangles");
+        // First without what is not shown, so that a broken light or animation does no harm.
+        importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                                    aiComponent_LIGHTS | aiComponent_CAMERAS |
+                                        aiComponent_ANIMATIONS | aiComponent_BONEWEIGHTS);
+        model = importer.ApplyPostProcessing(aiProcess_RemoveComponent);
+        if (model)
+            model = importer.ApplyPostProcessing(
+                aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
+                aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices | aiProcess_FlipUVs);
         if (!model) refuse(path, std::string("is broken: ") + importer.GetErrorString());
     }
 

@@ -31,8 +31,8 @@ public:
     /** Reads and checks a file; needs no OGRE root.
         @exception Ogre::FileNotFoundException when there is no such file;
         Ogre::InvalidParametersException, with the file's name and what is wrong with it, when
-       Assimp cannot read it, or when it holds no triangles, a position or node transform that is
-       not finite (or beyond 1e15), or nothing of any extent
+        Assimp cannot read it, or when it holds no triangles, a position or node transform that is
+        not finite (or beyond 1e15), or nothing of any extent
     */
     explicit ModelFile(const std::string& path);
     ~ModelFile();

@@ -113,12 +113,10 @@ void addMesh(MeshBuilder& builder, const aiMesh& mesh, const Matrix4d& baked, bo
         readNormals(mesh, sign * cofactors(linear), positions, indices);
     const std::vector<Ogre::Vector2> uvs = readUvs(mesh);
 
-    std::vector<Ogre::Vector3> points;
-    std::vector<Ogre::Vector3> directions;
-    for (const Vector3d& p : positions)
-        points.push_back(toOgre(p));
-    for (const Vector3d& n : normals)
-        directions.push_back(toOgre(n));
+    std::vector<Ogre::Vector3> points(positions.size());
+    std::vector<Ogre::Vector3> directions(normals.size());
+    std::transform(positions.begin(), positions.end(), points.begin(), toOgre);
+    std::transform(normals.begin(), normals.end(), directions.begin(), toOgre);
     builder.triangles(points, directions, uvs, indices);
     if (!twoSided) return;
     for (Ogre::Vector3& n : directions)

@@ -96,7 +96,7 @@ std::string loadTexture(const aiScene& model, const std::string& reference,
     else if (auto encoded = findFile(directory, reference))
         image = decode(std::move(*encoded));
     if (!image) return {};
-    const std::string name = prefix + "/" + reference;
+    std::string name = prefix + "/" + reference;
     const Ogre::String& group = Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME;
     if (const auto old = textures->getByName(name, group)) textures->remove(old);
     textures->loadImage(name, group, *image);

@@ -9,10 +9,12 @@ using Ogre::Vector3;
 
 const std::string Base = "Lixel/Samples/duel/";
 
-/// Posts and two rails along x, from -half to half.
+/// Posts, 2 apart, and two rails along x, from -half to half; half is whole.
 Ogre::MeshPtr fence(float half) {
     MeshBuilder mesh;
-    for (float x = -half; x <= half; x += 2.0F) {
+    const int bays = static_cast<int>(half);
+    for (int i = 0; i <= bays; ++i) {
+        const float x = 2.0F * static_cast<float>(i) - half;
         mesh.boxOn({x, 0.0F, 0.0F}, 0.14F, 1.25F, 0.14F);
         mesh.boxOn({x, 1.25F, 0.0F}, 0.2F, 0.05F, 0.2F);
     }
@@ -46,14 +48,14 @@ void plantTrees(Ogre::SceneManager& sceneManager) {
     for (int i = 0; i < 15; ++i) {
         Placement placement;
         placement.position = {12.0F * static_cast<float>(i - 7) + random.between(-3.0F, 3.0F), 0.0F,
-                              -52.0F + random.between(-6.0F, 6.0F)};
+                              -34.0F + random.between(-6.0F, 6.0F)};
         placement.yawDegrees = random.between(0.0F, 360.0F);
         placement.scale = random.between(0.8F, 1.3F);
         place(sceneManager, i % 3 == 1 ? broad : conifer, bark, i % 3 == 1 ? leaves : needles,
               placement);
     }
-    place(sceneManager, broad, bark, leaves, {{-15.0F, 0.0F, 10.0F}, 40.0F, 1.0F});
-    place(sceneManager, conifer, bark, needles, {{19.0F, 0.0F, 4.0F}, 0.0F, 0.9F});
+    place(sceneManager, broad, bark, leaves, {{-13.0F, 0.0F, 12.0F}, 40.0F, 1.0F});
+    place(sceneManager, conifer, bark, needles, {{17.0F, 0.0F, 8.0F}, 0.0F, 0.9F});
 }
 
 void build(Ogre::SceneManager& sceneManager) {
@@ -65,7 +67,7 @@ void build(Ogre::SceneManager& sceneManager) {
     const auto wood = makeSurface(Base + "wood", ColourValue(0.55F, 0.41F, 0.29F));
     const auto clay = makeSurface(Base + "clay", ColourValue(0.76F, 0.45F, 0.34F));
     place(sceneManager, fence(40.0F), wood, {{0.0F, 0.0F, 22.0F}, 0.0F, 1.0F});
-    place(sceneManager, colonnade(11, 4.5F), stone, {{0.0F, 0.0F, -18.0F}, 0.0F, 1.0F});
+    place(sceneManager, colonnade(11, 4.5F), stone, {{0.0F, 0.0F, -9.0F}, 0.0F, 1.0F});
     plantTrees(sceneManager);
 
     MeshBuilder jar;
@@ -82,7 +84,7 @@ void build(Ogre::SceneManager& sceneManager) {
     for (int i = 0; i < 6; ++i)
         place(
             sceneManager, jarMesh, clay,
-            {{6.0F * static_cast<float>(i) - 17.0F, 0.0F, 3.0F - 2.0F * static_cast<float>(i % 2)},
+            {{6.0F * static_cast<float>(i) - 17.0F, 0.0F, 6.0F - 2.0F * static_cast<float>(i % 2)},
              0.0F,
              1.0F});
 }
@@ -95,11 +97,11 @@ SampleScene duelScene() {
     scene.title = "Duel: looking into a low sun, with trees, columns and a fence in between";
     scene.build = build;
     scene.views = {
-        {"into-the-sun", {0.5F, 1.7F, 38.0F}, {0.0F, 2.2F, -20.0F}, 0.5F, 300.0F, 50.0F, {}},
+        {"into-the-sun", {0.5F, 1.9F, 31.0F}, {0.0F, 1.2F, 0.0F}, 0.5F, 300.0F, 50.0F, {}},
         {"from-a-hill", {-22.0F, 16.0F, 52.0F}, {0.0F, 0.0F, -8.0F}, 0.5F, 300.0F, 45.0F, {}},
         {"behind-the-fence", {6.0F, 0.9F, 25.5F}, {1.0F, 1.2F, 0.0F}, 0.2F, 300.0F, 60.0F, {}},
     };
-    scene.lights = {sunlight("straight-against", 180.0F, 16.0F),
+    scene.lights = {sunlight("straight-against", 180.0F, 15.0F),
                     sunlight("nearly-against", 168.0F, 9.0F),
                     sunlight("high-against", 186.0F, 38.0F),
                     sunlight("from-the-side", 95.0F, 22.0F), sunlight("from-behind", 4.0F, 25.0F)};

@@ -13,10 +13,11 @@ constexpr float HalfSide = 200.0F; ///< of the ground
 constexpr int Rows = 20;           ///< of objects, and as many columns: about 400
 
 const std::array Views{
-    SampleView{"head-height", {-12.0F, 1.8F, 196.0F}, {6.0F, 3.0F, 0.0F}, 1.0F, 500.0F, 50.0F, {}},
     SampleView{
-        "from-above", {-150.0F, 85.0F, 185.0F}, {10.0F, 0.0F, -10.0F}, 1.0F, 500.0F, 45.0F, {}},
-    SampleView{"in-the-middle", {2.0F, 2.2F, 1.0F}, {60.0F, 2.0F, -80.0F}, 1.0F, 500.0F, 60.0F, {}},
+        "head-height", {129.0F, 1.8F, 175.0F}, {105.0F, 1.6F, 120.0F}, 1.0F, 500.0F, 50.0F, {}},
+    SampleView{
+        "from-above", {-130.0F, 70.0F, 165.0F}, {-5.0F, 0.0F, 10.0F}, 1.0F, 500.0F, 45.0F, {}},
+    SampleView{"in-the-middle", {18.0F, 2.0F, 65.0F}, {39.0F, 1.0F, 9.0F}, 1.0F, 500.0F, 60.0F, {}},
 };
 
 /// A lying torus raised to stand on its rim.
@@ -76,20 +77,11 @@ std::vector<Ogre::MaterialPtr> colours() {
                              ColourValue(0.82F, 0.79F, 0.71F), ColourValue(0.58F, 0.48F, 0.60F),
                              ColourValue(0.38F, 0.55F, 0.52F)};
     std::vector<Ogre::MaterialPtr> materials;
+    materials.reserve(palette.size());
     for (const ColourValue& colour : palette)
         materials.push_back(
             makeSurface("Lixel/Samples/field/colour" + std::to_string(materials.size()), colour));
     return materials;
-}
-
-/// No object stands on a viewer's toes.
-bool isFree(const Vector3& position, float radius) {
-    for (const SampleView& view : Views) {
-        const Vector3 apart = position - view.position;
-        if (view.position.y < 10.0F && Ogre::Vector2(apart.x, apart.z).length() < radius)
-            return false;
-    }
-    return true;
 }
 
 void build(Ogre::SceneManager& sceneManager) {
@@ -111,13 +103,12 @@ void build(Ogre::SceneManager& sceneManager) {
             placement.position.x = place1(column);
             placement.position.z = place1(row);
             placement.yawDegrees = random.between(0.0F, 360.0F);
-            placement.scale = random.between(0.7F, 1.6F);
+            placement.scale = random.between(1.1F, 2.5F);
             const auto mesh =
                 static_cast<std::size_t>(random.below(static_cast<int>(meshes.size())));
             const auto colour =
                 static_cast<std::size_t>(random.below(static_cast<int>(materials.size())));
-            if (isFree(placement.position, 9.0F))
-                place(sceneManager, meshes[mesh], materials[colour], placement);
+            place(sceneManager, meshes[mesh], materials[colour], placement);
         }
     }
 }

@@ -11,11 +11,12 @@ const std::string Base = "Lixel/Samples/miners-lamp/";
 
 // The hall, in metres: x across, z along.
 constexpr float HalfWidth = 12.0F;
-constexpr float HalfLength = 40.0F;
+constexpr int Bays = 10;
+constexpr float Bay = 8.0F; ///< from pillar to pillar
+constexpr float HalfLength = 0.5F * Bay * Bays;
 constexpr float Height = 8.0F;
 constexpr float Wall = 1.0F;  ///< thickness of walls and ceiling
 constexpr float Aisle = 4.6F; ///< from the middle to a row of pillars
-constexpr float Bay = 8.0F;   ///< from pillar to pillar
 
 /** A lamp at a viewer's temple, pointing where the viewer looks.
 
@@ -74,7 +75,8 @@ void buildPillars(Ogre::SceneManager& sceneManager) {
     MeshBuilder rib;
     rib.arch(2.0F * Aisle - 1.6F, 3.1F, 0.5F, 0.7F, 24);
     const Ogre::MeshPtr ribMesh = rib.build(Base + "rib");
-    for (float z = -HalfLength + 0.5F * Bay; z < HalfLength; z += Bay) {
+    for (int i = 0; i < Bays; ++i) {
+        const float z = (static_cast<float>(i) + 0.5F) * Bay - HalfLength;
         place(sceneManager, pillarMesh, stone, {{-Aisle, 0.0F, z}, 0.0F, 1.0F});
         place(sceneManager, pillarMesh, stone, {{Aisle, 0.0F, z}, 0.0F, 1.0F});
         place(sceneManager, ribMesh, stone, {{0.0F, 0.0F, z}, 0.0F, 1.0F});
@@ -99,14 +101,14 @@ void buildFurniture(Ogre::SceneManager& sceneManager) {
                  24);
     const Ogre::MeshPtr barrelMesh = barrel.build(Base + "barrel");
     MeshBuilder boulder;
-    boulder.sphere({0.0F, 0.35F, 0.0F}, 0.6F, 14);
+    boulder.sphere({0.0F, 0.35F, 0.0F}, 0.6F, 24);
     const Ogre::MeshPtr boulderMesh = boulder.build(Base + "boulder");
 
     Random random(5);
     for (int i = 0; i < 44; ++i) {
         const float side = i % 2 == 0 ? -1.0F : 1.0F;
         const Placement placement{{side * random.between(5.6F, 11.0F), 0.0F,
-                                   random.between(-HalfLength + 2.0F, HalfLength - 6.0F)},
+                                   random.between(-HalfLength + 2.0F, HalfLength - 12.0F)},
                                   random.between(0.0F, 90.0F),
                                   random.between(0.8F, 1.3F)};
         const int kind = random.below(3);
@@ -121,8 +123,10 @@ void buildFurniture(Ogre::SceneManager& sceneManager) {
     MeshBuilder rails;
     for (const float x : {-0.5F, 0.5F})
         rails.box({x - 0.04F, 0.08F, -HalfLength}, {x + 0.04F, 0.2F, HalfLength - 8.0F});
-    for (float z = -HalfLength + 0.5F; z < HalfLength - 8.0F; z += 1.25F)
-        rails.boxOn({0.0F, 0.0F, z}, 1.7F, 0.08F, 0.24F);
+    constexpr float Sleepers = 1.25F; // apart
+    for (int i = 0; i < static_cast<int>((2.0F * HalfLength - 8.0F) / Sleepers); ++i)
+        rails.boxOn({0.0F, 0.0F, Sleepers * static_cast<float>(i) + 0.5F - HalfLength}, 1.7F, 0.08F,
+                    0.24F);
     place(sceneManager, rails.build(Base + "rails"), iron);
 }
 
@@ -146,7 +150,18 @@ SampleScene minersLampScene() {
         lampView("across", {-9.5F, 2.1F, 9.5F}, {8.0F, 0.8F, -6.0F}, 90.0F),
         lampView("at-the-floor", {0.8F, 4.5F, 27.0F}, {0.0F, 0.0F, 17.0F}, 60.0F),
     };
-    scene.lights = {*scene.views.front().light};
+    // The lamp on the head, and others': beside the viewer, coming towards him, under the roof.
+    const auto lamp = [](const std::string& name, const Vector3& position, const Vector3& target,
+                         float outerDegrees) {
+        SampleLight light = headLamp(position, target, outerDegrees);
+        light.name = name;
+        light.position = position;
+        return light;
+    };
+    scene.lights = {*scene.views.front().light,
+                    lamp("companion", {-5.0F, 1.6F, 33.0F}, {2.0F, 1.0F, 10.0F}, 75.0F),
+                    lamp("oncoming", {1.5F, 2.2F, -6.0F}, {0.0F, 1.0F, 30.0F}, 80.0F),
+                    lamp("under-the-roof", {0.0F, 7.2F, 18.0F}, {0.5F, 0.0F, 14.0F}, 120.0F)};
     scene.shadowDistance = 100.0F;
     scene.ambient = ColourValue(0.12F, 0.12F, 0.14F);
     scene.background = ColourValue(0.02F, 0.02F, 0.03F);

@@ -18,6 +18,9 @@ constexpr float Sidewalk = 3.0F;    ///< width
 constexpr float Kerb = 0.14F;       ///< height
 constexpr float HalfLength = 84.0F; ///< of the street
 constexpr float Storey = 3.1F;
+// On the left the houses make room for a park, over which the low sun comes in.
+constexpr float ParkBack = -34.0F;
+constexpr float ParkFront = 46.0F;
 
 /// The parts of a house, each of one material; the front faces +z at z = 0, the house lies behind.
 struct HouseMeshes {
@@ -184,12 +187,49 @@ Ogre::MeshPtr makeBench() {
     return mesh.build(Base + "bench");
 }
 
+/// A low wall along the street, and trees and benches behind it.
+void buildPark(Ogre::SceneManager& sceneManager) {
+    const auto stone = makeSurface(Base + "stone", ColourValue(0.78F, 0.74F, 0.66F));
+    const auto bark = makeSurface(Base + "park-bark", ColourValue(0.44F, 0.36F, 0.29F));
+    const auto leaves = makeSurface(Base + "park-leaves", ColourValue(0.56F, 0.60F, 0.33F));
+    const auto needles = makeSurface(Base + "park-needles", ColourValue(0.36F, 0.50F, 0.40F));
+    const auto lawn = makeSurface(Base + "lawn", ColourValue(0.58F, 0.66F, 0.42F),
+                                  patternTexture(Pattern::Grain));
+    const float x = -(HalfStreet + Sidewalk);
+    MeshBuilder grass;
+    grass.box({x - 40.0F, 0.0F, ParkBack}, {x, 0.12F, ParkFront});
+    place(sceneManager, grass.build(Base + "lawn"), lawn);
+
+    MeshBuilder wall;
+    for (int i = 0; i < static_cast<int>((ParkFront - ParkBack) / 5.0F); ++i) {
+        const float z = ParkBack + 1.0F + 5.0F * static_cast<float>(i);
+        wall.boxOn({x - 0.3F, 0.0F, z + 2.5F}, 0.3F, 0.8F, 4.6F);
+        wall.boxOn({x - 0.3F, 0.8F, z + 2.5F}, 0.42F, 0.1F, 4.6F);
+        wall.boxOn({x - 0.3F, 0.0F, z}, 0.5F, 1.2F, 0.5F);
+    }
+    place(sceneManager, wall.build(Base + "park-wall"), stone);
+
+    const TwoMeshes broad = broadleaf(Base + "park-broadleaf", 8.0F, 21);
+    const TwoMeshes conifer = spruce(Base + "park-spruce", 9.5F);
+    Random random(17);
+    for (int i = 0; i < 14; ++i) {
+        const Placement placement{
+            {x - random.between(4.0F, 26.0F), 0.1F, ParkBack + 4.0F + 5.2F * static_cast<float>(i)},
+            random.between(0.0F, 360.0F),
+            random.between(0.75F, 1.15F)};
+        const bool isConifer = i % 4 == 2;
+        place(sceneManager, isConifer ? conifer : broad, bark, isConifer ? needles : leaves,
+              placement);
+    }
+}
+
 /// Both rows of houses, side by side, in turns of shape and colour.
 void buildHouses(Ogre::SceneManager& sceneManager) {
     const std::array tones{ColourValue(0.80F, 0.66F, 0.48F), ColourValue(0.74F, 0.52F, 0.43F),
                            ColourValue(0.82F, 0.78F, 0.68F), ColourValue(0.58F, 0.64F, 0.63F),
                            ColourValue(0.70F, 0.68F, 0.52F)};
     std::vector<Ogre::MaterialPtr> plaster;
+    plaster.reserve(tones.size());
     for (const ColourValue& tone : tones)
         plaster.push_back(makeSurface(Base + "plaster" + std::to_string(plaster.size()), tone,
                                       patternTexture(Pattern::Grain)));
@@ -204,6 +244,11 @@ void buildHouses(Ogre::SceneManager& sceneManager) {
         for (int i = 0; z < HalfLength - 6.0F; ++i) {
             const HouseMeshes& house =
                 houses[static_cast<std::size_t>(2 * i + (side > 0.0F ? 1 : 0)) % houses.size()];
+            const bool inPark = z + house.width > ParkBack && z < ParkFront;
+            if (side < 0.0F && inPark) {
+                z = ParkFront + 1.0F;
+                continue;
+            }
             z += 0.5F * house.width;
             // The front faces the street: +z turned to -side x.
             const Placement placement{
@@ -222,7 +267,7 @@ void buildHouses(Ogre::SceneManager& sceneManager) {
 
 void buildStreet(Ogre::SceneManager& sceneManager) {
     placeGround(sceneManager, Base + "ground", 130.0F,
-                makeSurface(Base + "road", ColourValue(0.52F, 0.52F, 0.53F),
+                makeSurface(Base + "road", ColourValue(0.62F, 0.61F, 0.60F),
                             patternTexture(Pattern::Grain)));
     const auto paving = makeSurface(Base + "paving", ColourValue(0.74F, 0.71F, 0.66F),
                                     patternTexture(Pattern::Paving));
@@ -249,8 +294,12 @@ void buildStreet(Ogre::SceneManager& sceneManager) {
         for (int i = -6; i <= 6; ++i) {
             const float z = 12.0F * static_cast<float>(i) + (side > 0.0F ? 6.0F : 0.0F);
             place(sceneManager, lampPost, iron, {{x, Kerb, z}, 90.0F, 1.0F});
-            place(sceneManager, tree, bark, leaves,
-                  {{x, Kerb, z + 4.0F}, random.between(0.0F, 360.0F), random.between(0.7F, 1.0F)});
+            const bool byPark = side < 0.0F && z > ParkBack && z < ParkFront;
+            if (!byPark)
+                place(sceneManager, tree, bark, leaves,
+                      {{x, Kerb, z + 4.0F},
+                       random.between(0.0F, 360.0F),
+                       random.between(0.7F, 1.0F)});
             if (i % 2 == 0)
                 place(sceneManager, bench, wood,
                       {{x + side * 0.4F, Kerb, z - 3.0F}, 90.0F * side, 1.0F});
@@ -266,6 +315,7 @@ void buildStreet(Ogre::SceneManager& sceneManager) {
 void build(Ogre::SceneManager& sceneManager) {
     sceneManager.setAmbientLight(SampleScene{}.ambient);
     buildStreet(sceneManager);
+    buildPark(sceneManager);
     buildHouses(sceneManager);
 }
 
@@ -277,12 +327,12 @@ SampleScene streetScene() {
     scene.title = "Street: houses, lamp posts and trees when the sun is low";
     scene.build = build;
     scene.views = {
-        {"down-the-street", {-1.2F, 1.7F, 62.0F}, {1.5F, 2.6F, 0.0F}, 0.2F, 250.0F, 55.0F, {}},
-        {"from-a-roof", {7.0F, 17.0F, 48.0F}, {-4.0F, 0.0F, 8.0F}, 0.5F, 250.0F, 50.0F, {}},
+        {"down-the-street", {-2.6F, 1.7F, 44.0F}, {3.0F, 2.6F, 0.0F}, 0.2F, 250.0F, 58.0F, {}},
+        {"from-above", {-19.0F, 15.0F, 47.0F}, {4.0F, 0.5F, 2.0F}, 0.5F, 250.0F, 50.0F, {}},
         {"along-a-facade", {6.6F, 1.8F, 30.0F}, {7.8F, 4.0F, 4.0F}, 0.2F, 250.0F, 65.0F, {}},
     };
-    scene.lights = {sunlight("evening", 235.0F, 12.0F), sunlight("against", 187.0F, 12.0F),
-                    sunlight("from-behind", 350.0F, 14.0F), sunlight("across", 95.0F, 30.0F),
+    scene.lights = {sunlight("evening", 256.0F, 12.0F), sunlight("against", 187.0F, 12.0F),
+                    sunlight("from-behind", 320.0F, 14.0F), sunlight("across", 95.0F, 30.0F),
                     sunlight("noon", 140.0F, 62.0F)};
     scene.shadowDistance = 180.0F;
     return scene;

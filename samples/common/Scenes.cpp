@@ -28,6 +28,10 @@ SampleLight sunlight(const std::string& name, float azimuthDegrees, float elevat
     light.kind = SampleLight::Kind::Directional;
     light.direction = -Ogre::Vector3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                                      std::cos(elevation) * std::cos(azimuth));
+    const float height = std::max(0.0F, std::sin(elevation));
+    const float brightness = 1.0F / (0.72F + 0.28F * height);
+    light.colour =
+        brightness * Ogre::ColourValue(1.0F, 0.88F + 0.09F * height, 0.7F + 0.2F * height);
     return light;
 }
 

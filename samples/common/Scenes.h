@@ -45,7 +45,7 @@ struct SampleScene {
     std::vector<SampleView> views;   ///< the default one first; at least two
     std::vector<SampleLight> lights; ///< the default one first
     float shadowDistance = 0.0F;     ///< view-space depth that shadows reach, scene units
-    Ogre::ColourValue ambient = Ogre::ColourValue(0.32F, 0.35F, 0.4F);
+    Ogre::ColourValue ambient = Ogre::ColourValue(0.36F, 0.39F, 0.45F);
     Ogre::ColourValue background = Ogre::ColourValue(0.66F, 0.76F, 0.85F);
 };
 
@@ -60,7 +60,7 @@ const SampleScene* findSampleScene(const std::string& name);
 */
 SampleScene modelScene(const std::string& path);
 
-/** A sun by where it stands.
+/** A sun by where it stands, warmer the lower it is, and brighter, so that level ground shows.
     @param azimuthDegrees around y: 0 over +z, 90 over +x, 180 over -z, where most views look
     @param elevationDegrees above the horizon
 */

@@ -28,15 +28,17 @@ public:
     void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
                          const Ogre::Viewport* viewport, const Ogre::Light* light,
                          Ogre::Camera* shadowCamera, std::size_t iteration) const override {
+        // Only the first split is drawn; fewer than two are refused.
         const Ogre::Real reach = light->getShadowFarDistance();
+        const Ogre::Real end = reach > 0 ? reach : viewer->getFarClipDistance();
         // The splits are the viewer's, which the setup is not told when it is made; OGRE calls
         // this const but keeps it as any other option.
         const_cast<OneSplitSetup*>(this)->setSplitPoints(
-            {viewer->getNearClipDistance(), reach > 0 ? reach : viewer->getFarClipDistance()});
+            {viewer->getNearClipDistance(), end, 2 * end});
         PSSMShadowCameraSetup::getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera,
                                                iteration);
     }
-    OneSplitSetup() { setSplitPoints({1, 100}); }
+    OneSplitSetup() { setSplitPoints({1, 100, 200}); }
 };
 
 template <typename T>

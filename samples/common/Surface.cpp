@@ -10,12 +10,12 @@ namespace Lixel::Samples {
 namespace {
 
 constexpr int Side = 256; ///< texels of a pattern
+constexpr std::size_t Texels = std::size_t{Side} * Side;
 
 using Grey = std::vector<float>; ///< Side x Side
 
 std::size_t texel(int x, int y) {
-    return static_cast<std::size_t>(y & (Side - 1)) * Side +
-           static_cast<std::size_t>(x & (Side - 1));
+    return static_cast<std::size_t>(y) * Side + static_cast<std::size_t>(x);
 }
 
 /// Tiling noise in [0, 1]: random values on a lattice of `cells`, smoothly between.
@@ -28,7 +28,7 @@ Grey latticeNoise(int cells, std::mt19937& random) {
                        static_cast<std::size_t>(x % cells)];
     };
     const auto ease = [](float t) { return t * t * (3.0F - 2.0F * t); };
-    Grey noise(Side * Side);
+    Grey noise(Texels);
     const int step = Side / cells;
     for (int y = 0; y < Side; ++y) {
         for (int x = 0; x < Side; ++x) {
@@ -45,7 +45,7 @@ Grey latticeNoise(int cells, std::mt19937& random) {
 
 Grey grain() {
     std::mt19937 random(7);
-    Grey sum(Side * Side, 0.0F);
+    Grey sum(Texels, 0.0F);
     float weight = 0.36F;
     for (const int cells : {4, 16, 64, 256}) {
         const Grey octave = latticeNoise(cells, random);
@@ -54,20 +54,20 @@ Grey grain() {
         weight *= 0.75F;
     }
     for (float& value : sum)
-        value = std::clamp(0.68F + 0.42F * (value - 0.25F), 0.0F, 1.0F);
+        value = std::clamp(0.86F + 0.42F * (value - 0.5F), 0.0F, 1.0F);
     return sum;
 }
 
 Grey paving() {
     const Grey rough = grain();
-    const std::array tone{1.0F, 0.93F, 0.9F, 0.97F};
+    constexpr float Tones[2][2] = {{1.0F, 0.93F}, {0.9F, 0.97F}};
     constexpr int Slab = Side / 2;
-    Grey grey(Side * Side);
+    Grey grey(Texels);
     for (int y = 0; y < Side; ++y) {
         for (int x = 0; x < Side; ++x) {
             const bool joint = x % Slab < 3 || y % Slab < 3;
-            const auto slab = static_cast<std::size_t>(x / Slab + 2 * (y / Slab));
-            grey[texel(x, y)] = (joint ? 0.62F : tone[slab]) * (0.35F + 0.65F * rough[texel(x, y)]);
+            const float tone = Tones[y / Slab][x / Slab];
+            grey[texel(x, y)] = (joint ? 0.62F : tone) * (0.35F + 0.65F * rough[texel(x, y)]);
         }
     }
     return grey;
@@ -111,7 +111,7 @@ std::string patternTexture(Pattern pattern) {
     auto* textures = Ogre::TextureManager::getSingletonPtr();
     if (!textures) return {};
     const bool isGrain = pattern == Pattern::Grain;
-    const std::string name = isGrain ? "Lixel/Samples/Grain" : "Lixel/Samples/Paving";
+    std::string name = isGrain ? "Lixel/Samples/Grain" : "Lixel/Samples/Paving";
     const Ogre::String& group = Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME;
     if (textures->resourceExists(name, group)) return name;
     std::vector<Ogre::uchar> bytes;

@@ -27,11 +27,11 @@ protected:
     /** Checks `property(scene, fit, state, dice)` for any scene. It returns whether it had
         something to check, so that a property that never has is noticed. */
     template <typename Property>
-    void forAnyScene(const Property& property) {
+    void forAny(const rc::Gen<Scene>& scenes, const Property& property) {
         std::size_t checked = 0;
         const bool holds = rc::check([&] {
-            const Scene scene = *anyScene();
-            Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+            const Scene scene = *scenes;
+            Dice dice(*anySeed());
             FitState state;
             const ShadowFit fit = GetParam().fit(scene.problem(), state);
             RC_LOG() << std::setprecision(9) << "reason: " << toString(fit.reason) << "\n";
@@ -41,17 +41,22 @@ protected:
         EXPECT_GT(checked, 0U);
     }
 
+    template <typename Property>
+    void forAnyScene(const Property& property) {
+        forAny(anyScene(), property);
+    }
+
     /// The same over the fits that have a map and at least one shadowed point.
     template <typename Property>
-    void forAnyShadow(const Property& property) {
-        forAnyScene(
-            [&](const Scene& scene, const ShadowFit& fit, const FitState& state, Dice& dice) {
-                if (!fit.hasMap()) return false;
-                const auto points = shadowedPoints(scene, dice, RaysPerScene);
-                if (points.empty()) return false;
-                property(scene, fit, state, points);
-                return true;
-            });
+    void forAnyShadow(const Property& property, const rc::Gen<Scene>& scenes = anyScene()) {
+        forAny(scenes,
+               [&](const Scene& scene, const ShadowFit& fit, const FitState& state, Dice& dice) {
+                   if (!fit.hasMap()) return false;
+                   const auto points = shadowedPoints(scene, dice, RaysPerScene);
+                   if (points.empty()) return false;
+                   property(scene, fit, state, points);
+                   return true;
+               });
     }
 };
 
@@ -69,6 +74,58 @@ void expectInvertible(const Mat4& m) {
     const Mat4 error = m * inverse - Mat4::Identity();
     const Mat4 scale = m.cwiseAbs() * inverse.cwiseAbs();
     RC_ASSERT((error.array().abs() <= 1e-9 * (scale.array() + 1.0)).all());
+}
+
+/// Every shadowed point is w > 0 and within the map's border with the matrix of the graphics card.
+void liesInsideTheBorder(const Scene& scene, const ShadowFit& fit, const FitState&,
+                         const std::vector<ShadowedPoint>& points) {
+    const Mat4 rounded = roundedToFloat(fit.clipFromWorld);
+    for (const ShadowedPoint& point : points) {
+        const Vec3& x = point.wsReceiver;
+        const Vec2 texel = texelOf(rounded, scene, x);
+        RC_LOG() << "receiver " << x.transpose() << " clip " << clipOf(rounded, x).transpose()
+                 << " texel " << texel.transpose() << " unrounded "
+                 << texelOf(fit.clipFromWorld, scene, x).transpose() << "\n";
+        RC_ASSERT(clipOf(rounded, x).w() > 0.0);
+        RC_ASSERT(insideBorder(texel, scene) >= scene.filterRadius + 1.0);
+    }
+}
+
+/// Receiver and occluder meet in one texel when the graphics card computes both.
+void isOneTexelInFloat(const Scene& scene, const ShadowFit& fit, const FitState&,
+                       const std::vector<ShadowedPoint>& points) {
+    const Eigen::Matrix4f m = fit.clipFromWorld.cast<float>();
+    const auto texel = [&](const Vec3& ws) {
+        const Eigen::Vector4f clip = m * Eigen::Vector3f(ws.cast<float>()).homogeneous();
+        const Eigen::Vector2f size(static_cast<float>(scene.mapWidth),
+                                   static_cast<float>(scene.mapHeight));
+        return Eigen::Vector2f(clip.head<2>() / clip.w()).cwiseProduct(size / 2.0F).eval();
+    };
+    for (const ShadowedPoint& point : points) {
+        const Eigen::Vector2f receiver = texel(point.wsReceiver);
+        const Eigen::Vector2f occluder = texel(point.wsOccluder);
+        RC_LOG() << "receiver " << point.wsReceiver.transpose() << " occluder "
+                 << point.wsOccluder.transpose() << " texels " << receiver.transpose() << " and "
+                 << occluder.transpose() << "\n";
+        RC_ASSERT((receiver - occluder).norm() <= 0.25F);
+    }
+}
+
+/// One receiver at distance 1, of a size from a thousandth down to a millionth, and a caster over
+/// it: what an address in float can still tell apart.
+rc::Gen<Scene> smallFarReceiver() {
+    return rc::gen::map(anySeed(), [](std::uint64_t seed) {
+        Dice dice(seed);
+        Scene scene;
+        const Vec3 at = dice.direction();
+        scene.viewer.viewFromWorld = lookAlong(Vec3::Zero(), at);
+        scene.viewer.clipFromView = perspective(dice.in(0.1, 1.5), 1.5, 1e-3, 10.0);
+        scene.light.wsDirection = dice.direction();
+        const double size = std::pow(10.0, dice.in(-6.0, -3.0));
+        scene.receivers.add({at, size * dice.cube().cwiseAbs()});
+        scene.casters.add({at - 0.3 * scene.light.wsDirection, Vec3::Constant(0.05)});
+        return scene;
+    });
 }
 
 } // namespace
@@ -111,19 +168,11 @@ TEST_P(Contract, NothingToDrawOnlyWhereTheOracleFindsNoShadow) {
 }
 
 TEST_P(Contract, ShadowedPointsLieInsideTheMapsBorder) {
-    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
-                    const std::vector<ShadowedPoint>& points) {
-        const Mat4 rounded = roundedToFloat(fit.clipFromWorld);
-        for (const ShadowedPoint& point : points) {
-            const Vec3& x = point.wsReceiver;
-            const Vec2 texel = texelOf(rounded, scene, x);
-            RC_LOG() << "receiver " << x.transpose() << " clip " << clipOf(rounded, x).transpose()
-                     << " texel " << texel.transpose() << " unrounded "
-                     << texelOf(fit.clipFromWorld, scene, x).transpose() << "\n";
-            RC_ASSERT(clipOf(rounded, x).w() > 0.0);
-            RC_ASSERT(insideBorder(texel, scene) >= scene.filterRadius + 1.0);
-        }
-    });
+    forAnyShadow(liesInsideTheBorder);
+}
+
+TEST_P(Contract, ShadowedPointsOfASmallFarReceiverLieInsideTheMapsBorder) {
+    forAnyShadow(liesInsideTheBorder, smallFarReceiver());
 }
 
 TEST_P(Contract, OccludersAreDrawn) {
@@ -208,24 +257,11 @@ TEST_P(Contract, OneRayIsOneTexel) {
 }
 
 TEST_P(Contract, OneRayIsOneTexelInFloat) {
-    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
-                    const std::vector<ShadowedPoint>& points) {
-        const Eigen::Matrix4f m = fit.clipFromWorld.cast<float>();
-        const auto texel = [&](const Vec3& ws) {
-            const Eigen::Vector4f clip = m * Eigen::Vector3f(ws.cast<float>()).homogeneous();
-            const Eigen::Vector2f size(static_cast<float>(scene.mapWidth),
-                                       static_cast<float>(scene.mapHeight));
-            return Eigen::Vector2f(clip.head<2>() / clip.w()).cwiseProduct(size / 2.0F).eval();
-        };
-        for (const ShadowedPoint& point : points) {
-            const Eigen::Vector2f receiver = texel(point.wsReceiver);
-            const Eigen::Vector2f occluder = texel(point.wsOccluder);
-            RC_LOG() << "receiver " << point.wsReceiver.transpose() << " occluder "
-                     << point.wsOccluder.transpose() << " texels " << receiver.transpose()
-                     << " and " << occluder.transpose() << "\n";
-            RC_ASSERT((receiver - occluder).norm() <= 0.25F);
-        }
-    });
+    forAnyShadow(isOneTexelInFloat);
+}
+
+TEST_P(Contract, OneRayOfASmallFarReceiverIsOneTexelInFloat) {
+    forAnyShadow(isOneTexelInFloat, smallFarReceiver());
 }
 
 TEST_P(Contract, TheMapIsTight) {
@@ -253,15 +289,23 @@ TEST_P(Contract, TheMapIsTight) {
             warpedGreatest = warpedGreatest.cwiseMax(warped);
         }
         const Vec2 sides = warpedGreatest - warpedLeast;
+        // Where float has steps of 2^-24 of: the farthest that the matrix is used at.
+        double reach =
+            fit.directional
+                ? std::max({std::abs(fit.lsNear), std::abs(fit.lsFar), state.region.vsReceiverFar})
+                : 1.0 + fit.wsEye.norm() / fit.lsFar;
+        for (const Vec2& q : hull)
+            reach = std::max(reach, q.norm());
         const Vec2 size(scene.mapWidth, scene.mapHeight);
         const double border = scene.filterRadius + 1.0;
         RC_LOG() << "warped sides " << sides.transpose() << ", texels " << least.transpose()
                  << " to " << greatest.transpose() << "\n";
         bool checked = false;
         for (Eigen::Index axis = 0; axis < 2; ++axis) {
-            // Degenerate: thinner than one texel of a map of 4096 is rounding.
-            if (sides[axis] < sides.maxCoeff() / 4000.0 || sides[axis] < 1e-8 * scene.size)
-                continue;
+            // Degenerate: thinner than one texel of a map of 4096, or than what leaves 64 steps of
+            // a float's 2^-24 in a texel.
+            if (sides[axis] < sides.maxCoeff() / 4000.0) continue;
+            if (sides[axis] < reach * size.maxCoeff() * 0x1p-17) continue;
             RC_ASSERT(least[axis] >= border);
             RC_ASSERT(least[axis] <= border + 2.0);
             RC_ASSERT(greatest[axis] <= size[axis] - border);
@@ -278,18 +322,24 @@ TEST_P(Contract, TheFocusPolygonHoldsTheFocusRegion) {
         const auto focus = fit.liFocus.span();
         RC_ASSERT(!focus.empty());
         RC_ASSERT(focus.size() <= FocusPolygon::Capacity);
+        for (const Vec2& q : focus)
+            RC_LOG() << "focus " << q.transpose() << "\n";
         double extent = 0.0;
         for (const Vec2& q : state.region.liHull)
             extent = std::max(extent, q.cwiseAbs().maxCoeff());
+        for (const Vec2& q : focus)
+            extent = std::max(extent, q.cwiseAbs().maxCoeff());
+        // Vertices are exact to some units in their last place; an edge may be as short as that.
+        const double rounding = 1e-12 * extent * extent;
         for (std::size_t i = 0; i < focus.size() && focus.size() > 2; ++i) {
             const Vec2 edge = focus[(i + 1) % focus.size()] - focus[i];
-            if (edge.norm() < 1e-9 * extent) continue;
             for (const Vec2& q : state.region.liHull) {
-                RC_LOG() << "vertex " << q.transpose() << " edge " << i << "\n";
-                RC_ASSERT(cross(edge.normalized(), q - focus[i]) >= -1e-9 * extent);
+                const bool inside = cross(edge, q - focus[i]) >= -rounding;
+                if (!inside) RC_LOG() << "vertex " << q.transpose() << " edge " << i << "\n";
+                RC_ASSERT(inside);
             }
             // Interior, so that the denominator is 1 somewhere on the region.
-            RC_ASSERT(cross(edge.normalized(), fit.liCentre - focus[i]) >= -1e-9 * extent);
+            RC_ASSERT(cross(edge, fit.liCentre - focus[i]) >= -rounding);
         }
         for (const Vec2& q : state.region.liHull)
             RC_ASSERT(1.0 + fit.liWarp.dot(q - fit.liCentre) > 0.0);

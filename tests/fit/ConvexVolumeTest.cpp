@@ -19,7 +19,7 @@ namespace {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 Dice anyDice() {
-    return Dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    return Dice(*anySeed());
 }
 
 /// The least plane distance; >= 0 inside.

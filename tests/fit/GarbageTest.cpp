@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include <cstdlib>
 #include <functional>
 #include <numbers>
 
@@ -91,6 +92,19 @@ std::vector<Spoiler> spoilers() {
 
 class Garbage : public testing::TestWithParam<Spoiler> {};
 
+/// Whether the matrix that the graphics card gets has an inverse. Rows may differ in size by any
+/// factor: each is brought to size 1 first.
+bool invertibleInFloat(const Mat4& m) {
+    Mat4 rows = roundedToFloat(m);
+    if (!rows.allFinite()) return false;
+    for (Eigen::Index i = 0; i < 4; ++i) {
+        const double size = rows.row(i).cwiseAbs().maxCoeff();
+        if (size == 0.0) return false;
+        rows.row(i) /= size;
+    }
+    return rows.determinant() != 0.0 && rows.inverse().allFinite();
+}
+
 /// One garbage value in a random place.
 void spoilSomething(Scene& scene, Dice& dice) {
     constexpr std::array<double, 14> Values = {NaN,    Infinity, -Infinity, 0.0,   -1.0,
@@ -161,10 +175,39 @@ TEST(GarbageInput, WithoutBodySetsIsInvalid) {
     }
 }
 
+TEST(GarbageInput, OfHugeNumbersDoesNotCrash) {
+    // Each is finite, but not what is computed from it. In a process of its own.
+    std::vector<Scene> scenes;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        Scene scene = outdoors();
+        Box box{Vec3(0.0, 0.0, -10.0), Vec3::Ones()};
+        box.centre[axis] = box.halfExtents[axis] = 1e308;
+        scene.addBody(box);
+        scenes.push_back(scene);
+        scenes.push_back(outdoors());
+        scenes.back().viewer.viewFromWorld(1, axis) = -1e308;
+        scenes.push_back(outdoors());
+        scenes.back().viewer.viewFromWorld(axis, 3) = 1e308;
+        scenes.push_back(outdoors());
+        scenes.back().viewer.clipFromView(axis, axis) = 1e308;
+    }
+    for (const Technique& technique : techniques())
+        for (const Scene& scene : scenes)
+            EXPECT_EXIT(
+                {
+                    FitState state;
+                    const ShadowFit fit = technique.fit(scene.problem(), state);
+                    std::exit(fit.hasMap() && !fit.clipFromWorld.allFinite() ? 1 : 0);
+                },
+                testing::ExitedWithCode(0), "")
+                << technique.name << "\n"
+                << scene;
+}
+
 TEST(GarbageInput, OfAnyKindGivesAFiniteMapOrNone) {
     const bool holds = rc::check([] {
         Scene scene = *anyScene();
-        Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+        Dice dice(*anySeed());
         const std::size_t times = 1 + dice.below(2);
         for (std::size_t i = 0; i < times; ++i)
             spoilSomething(scene, dice);
@@ -177,7 +220,7 @@ TEST(GarbageInput, OfAnyKindGivesAFiniteMapOrNone) {
             if (!fit.hasMap()) continue;
             RC_ASSERT(fit.clipFromWorld.allFinite());
             RC_ASSERT(fit.clipFromLight.allFinite());
-            RC_ASSERT(fit.clipFromWorld.inverse().allFinite());
+            RC_ASSERT(invertibleInFloat(fit.clipFromWorld));
             RC_ASSERT(std::isfinite(fit.depthScale));
             RC_ASSERT(std::isfinite(fit.depthOffset));
             RC_ASSERT(std::isfinite(fit.depthPerWorldUnit));

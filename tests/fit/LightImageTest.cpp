@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 
 using namespace Lixel;
-using Lixel::Test::Dice;
+using namespace Lixel::Test;
 
 namespace {
 
@@ -53,7 +53,7 @@ TEST(LightImage, BasisIsOrthonormalBesideTheAxesAndForAnyLength) {
 }
 
 RC_GTEST_PROP(LightImage, BasisIsOrthonormalForAnyDirection, ()) {
-    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    Dice dice(*anySeed());
     const LightImage image(ShadowLight{.wsDirection = dice.direction()});
     const Mat3& m = image.lsFromWs();
     RC_ASSERT((m * m.transpose() - Mat3::Identity()).norm() < 1e-14);
@@ -61,7 +61,7 @@ RC_GTEST_PROP(LightImage, BasisIsOrthonormalForAnyDirection, ()) {
 }
 
 RC_GTEST_PROP(LightImage, ARayOfTheSunIsOnePoint, ()) {
-    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    Dice dice(*anySeed());
     const Vec3 direction = dice.direction();
     const LightImage image(ShadowLight{.wsDirection = direction});
     const Vec3 x = 10.0 * dice.cube();
@@ -73,7 +73,7 @@ RC_GTEST_PROP(LightImage, ARayOfTheSunIsOnePoint, ()) {
 }
 
 RC_GTEST_PROP(LightImage, ARayOfASpotIsOnePoint, ()) {
-    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    Dice dice(*anySeed());
     const Vec3 position = 10.0 * dice.cube();
     const Vec3 axis = dice.direction();
     const LightImage image(spotAt(position, axis));
@@ -93,7 +93,7 @@ RC_GTEST_PROP(LightImage, ARayOfASpotIsOnePoint, ()) {
 }
 
 RC_GTEST_PROP(LightImage, OrientedCoordinatesAreAffineInThePoint, ()) {
-    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    Dice dice(*anySeed());
     const LightImage image(dice.chance(0.5) ? ShadowLight{.wsDirection = dice.direction()}
                                             : spotAt(dice.cube(), dice.direction()));
     const Vec3 x = dice.cube();

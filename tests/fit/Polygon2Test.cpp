@@ -11,7 +11,7 @@
 #include <numbers>
 
 using namespace Lixel;
-using Lixel::Test::Dice;
+using namespace Lixel::Test;
 
 namespace {
 
@@ -70,7 +70,7 @@ Polygon2 regular(std::size_t n, double radius = 1.0) {
 const Polygon2 Square = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
 
 Dice anyDice() {
-    return Dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    return Dice(*anySeed());
 }
 
 } // namespace
@@ -325,6 +325,34 @@ TEST(SimplifyOutward, LeavesSmallPolygonsAlone) {
     EXPECT_EQ(triangle, regular(3));
 }
 
+TEST(SimplifyOutward, StaysConvexWhereVerticesLieOnALine) {
+    // A left side of six vertices that are collinear but for rounding, as clipping leaves them.
+    const Polygon2 original = {Vec2(-1.8314919298064078, -0.44638008738316115),
+                               Vec2(-1.8314919298064063, -0.57796517874189191),
+                               Vec2(-1.8283535000548434, -0.58162786661404808),
+                               Vec2(-1.6197547002715902, -0.82507199459937863),
+                               Vec2(-1.5812288634644946, -0.86647017741388044),
+                               Vec2(-1.5131861252926861, -0.84357434406138609),
+                               Vec2(0.027050692493747919, -0.30025975980037295),
+                               Vec2(0.027050692493759465, -0.30025975980036751),
+                               Vec2(0.060218988602708245, -0.26939279231079089),
+                               Vec2(0.0019530833285197335, -0.14619979689748258),
+                               Vec2(-1.2737247343878961, 1.2245879104444768),
+                               Vec2(-1.3122505711949917, 1.2659860932589786),
+                               Vec2(-1.3122505711949992, 1.2659860932589821),
+                               Vec2(-1.3454188673039478, 1.2351191257694056),
+                               Vec2(-1.8314919298064061, 0.74904606326694756),
+                               Vec2(-1.8314919298064072, 0.030334040366953571),
+                               Vec2(-1.8314919298064074, -0.12412452579093408),
+                               Vec2(-1.8314919298064078, -0.44210481505218713)};
+    Polygon2 simple = original;
+    simplifyOutward(simple, 16);
+    EXPECT_LE(simple.size(), 16U);
+    // An edge that runs backwards would be a half plane that holds nothing.
+    for (const Vec2& p : original)
+        EXPECT_LT(outside(simple, p), 1e-9) << p.transpose();
+}
+
 RC_GTEST_PROP(SimplifyOutward, HoldsTheOriginal, ()) {
     Dice dice = anyDice();
     Polygon2 original;
@@ -339,6 +367,14 @@ RC_GTEST_PROP(SimplifyOutward, HoldsTheOriginal, ()) {
             if (dice.chance(0.3)) cloud.push_back(cloud.back() + 1e-12 * randomPoint(dice));
         }
         original = hullOf(cloud);
+    }
+    if (dice.chance(0.5)) {
+        // Cuts along an axis: whole sides of vertices that are collinear but for rounding.
+        Polygon2 cut = {Vec2(-0.5, -2.0), Vec2(0.5, -2.0), Vec2(0.5, 2.0), Vec2(-0.5, 2.0)};
+        std::vector<Vec2> points = intersectionOf(original, cut);
+        for (int i = 0; i < 8; ++i)
+            points.emplace_back(-0.5 * (1.0 + 4e-16 * dice.in(-1.0, 1.0)), dice.in(-0.1, 0.1));
+        original = hullOf(points);
     }
     const std::size_t most = 4 + dice.below(13);
     Polygon2 simple = original;

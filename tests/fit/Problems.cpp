@@ -10,6 +10,18 @@
 #include <numbers>
 #include <ostream>
 
+namespace Lixel {
+
+std::ostream& operator<<(std::ostream& out, const Box& box) {
+    return out << "{" << box.centre.transpose() << " | " << box.halfExtents.transpose() << "}";
+}
+
+std::ostream& operator<<(std::ostream& out, FitReason reason) {
+    return out << toString(reason);
+}
+
+} // namespace Lixel
+
 namespace Lixel::Test {
 namespace {
 
@@ -235,11 +247,15 @@ Scene scaled(const Scene& scene, double factor) {
     return result;
 }
 
+rc::Gen<std::uint64_t> anySeed() {
+    return rc::gen::noShrink(
+        rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+}
+
 rc::Gen<Scene> anyScene() {
     const auto build = rc::gen::exec([] {
         Scene scene;
-        const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>());
-        Dice dice(seed);
+        Dice dice(*anySeed());
         constexpr std::array<double, 4> Sizes = {1e-2, 1.0, 30.0, 5e3};
         scene.size = Sizes[dice.below(Sizes.size())];
         scene.viewer = randomViewer(dice, scene.size);
@@ -268,8 +284,8 @@ rc::Gen<Scene> anyScene() {
             if (dice.chance(0.5)) scene.casters.add(ground);
         }
 
-        const auto bodies = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::uint64_t>>(
-            rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>())));
+        const auto bodies =
+            *rc::gen::nonEmpty(rc::gen::container<std::vector<std::uint64_t>>(anySeed()));
         for (std::size_t i = 0; i < std::min<std::size_t>(bodies.size(), 60); ++i) {
             Dice body(bodies[i]);
             const Box box = randomBox(body, scene, eye, forward);
@@ -290,9 +306,13 @@ const std::vector<Technique>& techniques() {
     static const std::vector<Technique> all = {
         {"Uniform",
          [](const ShadowProblem& problem, FitState& state) { return fitUniform(problem, state); }},
-        {"Xpsm", [](const ShadowProblem& problem, FitState& state) {
-             return fitXpsm(problem, XpsmOptions{}, state);
-         }}};
+        {"Xpsm", [](const ShadowProblem& problem,
+                    FitState& state) { return fitXpsm(problem, XpsmOptions{}, state); }},
+        {"LiteralXpsm",
+         [](const ShadowProblem& problem, FitState& state) {
+             return fitXpsm(problem, {.strength = 2.0, .epsilonW = 0.7, .guarded = false}, state);
+         }},
+    };
     return all;
 }
 
@@ -308,14 +328,6 @@ Vec2 texelOf(const Mat4& clipFromWorld, const Scene& scene, const Vec3& ws) {
 
 Mat4 roundedToFloat(const Mat4& m) {
     return m.cast<float>().cast<double>();
-}
-
-std::ostream& operator<<(std::ostream& out, const Box& box) {
-    return out << "{" << box.centre.transpose() << " | " << box.halfExtents.transpose() << "}";
-}
-
-std::ostream& operator<<(std::ostream& out, FitReason reason) {
-    return out << toString(reason);
 }
 
 std::ostream& operator<<(std::ostream& out, const Scene& scene) {

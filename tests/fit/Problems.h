@@ -10,6 +10,13 @@
 #include <iosfwd>
 #include <random>
 
+namespace Lixel {
+
+std::ostream& operator<<(std::ostream& out, const Box& box);
+std::ostream& operator<<(std::ostream& out, FitReason reason);
+
+} // namespace Lixel
+
 /// Shadow problems: built by hand for examples, drawn at random for properties.
 namespace Lixel::Test {
 
@@ -33,8 +40,6 @@ struct Scene {
 
 /// Prints every number of the scene, so that a failure can be made an example.
 std::ostream& operator<<(std::ostream& out, const Scene& scene);
-std::ostream& operator<<(std::ostream& out, const Box& box);
-std::ostream& operator<<(std::ostream& out, FitReason reason);
 
 /// OpenGL's projections; farDepth may be infinite.
 Mat4 frustum(double left, double right, double bottom, double top, double nearDepth,
@@ -72,6 +77,9 @@ public:
 private:
     std::mt19937_64 mEngine;
 };
+
+/// Seeds of dice: any, whatever RapidCheck's size, and none simpler than another.
+rc::Gen<std::uint64_t> anySeed();
 
 /** Any valid scene.
 

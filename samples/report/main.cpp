@@ -1,0 +1,89 @@
+// lixel-report: how wrong one shadow setup is beside another, over all samples.
+
+#include "common/Comparison.h"
+#include "common/Setups.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+
+using namespace Lixel::Samples;
+
+namespace {
+
+struct Options {
+    std::string setup = "XPSM";
+    std::string baseline = "Uniform";
+    std::string modelFile;
+    int width = 400;
+    int height = 300;
+    std::size_t lights = 4;
+    bool firstView = false;
+};
+
+/// One scene at a time: each gets a stage of its own. @param name empty for the model file.
+std::vector<ComparedCase> compareScene(const std::string& name, const Options& options) {
+    Stage stage({.headless = true,
+                 .width = options.width,
+                 .height = options.height,
+                 .title = "Lixel",
+                 .logFile = "",
+                 .sceneManagerType = ""});
+    const SampleScene scene = name.empty() ? modelScene(options.modelFile) : *findSampleScene(name);
+    stage.show(scene);
+    return compareSetups(stage, scene, findShadowSetup(options.setup)->create(),
+                         findShadowSetup(options.baseline)->create(), options.lights,
+                         std::span(scene.views).first(options.firstView ? 1 : scene.views.size()),
+                         [](const std::string& left) {
+                             fmt::print("{:<32} left out: no map size errs 1 to 5 %\n", left);
+                         });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CLI::App app{"Compares the errors of two shadow setups over all samples, on maps sized so that "
+                 "the baseline errs 1 to 5 %."};
+    app.add_option("--setup", options.setup, "Setup to judge");
+    app.add_option("--baseline", options.baseline, "Setup to compare it with");
+    app.add_option("--scene", options.modelFile, "A model file as one more scene");
+    app.add_option("--lights", options.lights, "Lights of each scene");
+    app.add_flag("--first-view", options.firstView, "The first view of each scene alone");
+    CLI11_PARSE(app, argc, argv);
+    for (const std::string& name : {options.setup, options.baseline}) {
+        if (findShadowSetup(name) == nullptr) {
+            fmt::print(stderr, "lixel-report: there is no setup '{}'\n", name);
+            return 2;
+        }
+    }
+    std::vector<std::string> names;
+    for (const SampleScene& scene : sampleScenes())
+        names.push_back(scene.name);
+    if (!options.modelFile.empty()) names.emplace_back();
+
+    std::vector<double> ratios;
+    fmt::print("{:<32} {:>5} {:>9} {:>9} {:>6}  {}\n", "scene, light", "map", options.baseline,
+               options.setup, "ratio", "reason");
+    for (const std::string& name : names) {
+        try {
+            for (const ComparedCase& one : compareScene(name, options)) {
+                fmt::print("{:<32} {:>5} {:>7.3f} % {:>7.3f} % {:>6.3f}  {}\n",
+                           fmt::format("{}, {}", one.scene, one.light), one.mapSize, one.baseline,
+                           one.error, one.ratio(), one.reason);
+                std::fflush(stdout);
+                ratios.push_back(one.ratio());
+            }
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "lixel-report: {}\n", error.what());
+            return 1;
+        }
+    }
+    if (ratios.empty()) return 1;
+    const GeometricMean mean = geometricMean(ratios);
+    fmt::print("{} / {}: geometric mean {:.3f} [{:.3f}, {:.3f}] over {} cases, worst {:.3f}\n",
+               options.setup, options.baseline, mean.mean, mean.lower, mean.upper, mean.count,
+               *std::max_element(ratios.begin(), ratios.end()));
+    return 0;
+}

@@ -1,0 +1,303 @@
+// lixel-bench-survey: CPU time of the survey and of the fits, beside OGRE's own visibility pass and
+// its LiSPSM setup, in whole frames of the same scene in one process.
+//
+//     lixel-bench-survey [--frames N] [--objects N]
+//
+// Nothing is drawn: OGRE finds what is visible, sorts it, and is then told to skip it. The viewer
+// turns a little from frame to frame. Times are medians over the frames, in microseconds of wall
+// clock, so an idle core is all that the machine needs to give.
+#include "HeadlessOgre.h"
+
+#include "setup/ShadowMapObserver.h"
+#include "setup/UniformShadowCameraSetup.h"
+#include "setup/XPSMShadowCameraSetup.h"
+
+#include <OgreCamera.h>
+#include <OgreEntity.h>
+#include <OgreLight.h>
+#include <OgreRenderQueueListener.h>
+#include <OgreSceneNode.h>
+#include <OgreShadowCameraSetupLiSPSM.h>
+#include <OgreViewport.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace Lixel::Tests {
+namespace {
+
+using Ogre::Vector3;
+
+using Clock = std::chrono::steady_clock;
+using Microseconds = std::chrono::duration<double, std::micro>;
+
+double since(Clock::time_point begin) {
+    return Microseconds(Clock::now() - begin).count();
+}
+
+double median(std::vector<double>& values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+std::size_t countVisible(const Ogre::Camera& camera, const std::vector<Ogre::Entity*>& objects) {
+    return static_cast<std::size_t>(
+        std::count_if(objects.begin(), objects.end(), [&](const Ogre::Entity* object) {
+            return camera.isVisible(object->getWorldBoundingBox());
+        }));
+}
+
+/// Lets OGRE do everything but draw.
+class SkipDrawing : public Ogre::RenderQueueListener {
+public:
+    void renderQueueStarted(Ogre::uint8, const Ogre::String&, bool& skip) override { skip = true; }
+};
+
+/// Times OGRE's search for what one camera sees.
+class VisibilityClock : public Ogre::SceneManager::Listener {
+public:
+    explicit VisibilityClock(const Ogre::Camera& camera) : mCamera(camera) {}
+    void preFindVisibleObjects(Ogre::SceneManager*, Ogre::SceneManager::IlluminationRenderStage,
+                               Ogre::Viewport*) override {
+        mBegin = Clock::now();
+    }
+    void postFindVisibleObjects(Ogre::SceneManager*, Ogre::SceneManager::IlluminationRenderStage,
+                                Ogre::Viewport* viewport) override {
+        if (viewport->getCamera() == &mCamera) microseconds = since(mBegin);
+    }
+
+    double microseconds = 0.0;
+
+private:
+    const Ogre::Camera& mCamera;
+    Clock::time_point mBegin;
+};
+
+/// Times a shadow camera setup, and counts whom its camera sees.
+class TimedSetup : public Ogre::ShadowCameraSetup {
+public:
+    TimedSetup(Ogre::ShadowCameraSetupPtr inner, const std::vector<Ogre::Entity*>& objects)
+        : mInner(std::move(inner)), mObjects(objects) {}
+    void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
+                         const Ogre::Viewport* viewport, const Ogre::Light* light,
+                         Ogre::Camera* shadowCamera, std::size_t iteration) const override {
+        const Clock::time_point begin = Clock::now();
+        mInner->getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera, iteration);
+        microseconds = since(begin);
+        if (countCasters) casters = countVisible(*shadowCamera, mObjects);
+    }
+
+    mutable double microseconds = 0.0;
+    mutable std::size_t casters = 0;
+    bool countCasters = false;
+
+private:
+    Ogre::ShadowCameraSetupPtr mInner;
+    const std::vector<Ogre::Entity*>& mObjects;
+};
+
+/// What the last of Lixel's maps was and took.
+class LastMap : public ShadowMapObserver {
+public:
+    LastMap() { addShadowMapObserver(*this); }
+    void shadowMapFitted(const ShadowMap& map) override {
+        survey = map.surveyMicroseconds;
+        fit = map.fitMicroseconds;
+        reason = map.fit.reason;
+    }
+
+    double survey = 0.0;
+    double fit = 0.0;
+    FitReason reason = FitReason::InvalidInput;
+};
+
+/// Medians of one way of drawing the scene.
+struct Cost {
+    double visibility = 0.0;
+    double survey = 0.0;
+    double fit = 0.0;
+    /// getShadowCamera as a whole.
+    double setup = 0.0;
+    double frame = 0.0;
+    /// Objects that the shadow camera lets pass.
+    std::size_t casters = 0;
+};
+
+/// Where the viewer stands and looks to.
+enum class View {
+    Inside,  ///< from the middle of the field: a quarter of it is seen
+    Outwards ///< from its rim, out of it: next to nothing is seen
+};
+
+/// A field of cubes on the ground.
+class Field {
+public:
+    Field(HeadlessOgre& ogre, const std::string& managerType, int objects, View view)
+        : mRoot(ogre.root()),
+          mWindow(ogre.window()),
+          mManager(*mRoot.createSceneManager(managerType)) {
+        Ogre::SceneNode* root = mManager.getRootSceneNode();
+        mCamera = mManager.createCamera("viewer");
+        mCamera->setNearClipDistance(0.1f);
+        mCamera->setFarClipDistance(2000);
+        mCamera->setFOVy(Ogre::Degree(60));
+        mCamera->setAspectRatio(16.0f / 9.0f);
+        const float reach = 10 * std::sqrt(static_cast<float>(objects));
+        mHeading = view == View::Inside ? 0.0f : 170.0f;
+        mCameraNode =
+            root->createChildSceneNode(Vector3(0, 5, view == View::Inside ? 0 : 0.48f * reach));
+        mCameraNode->attachObject(mCamera);
+        mWindow.addViewport(mCamera);
+
+        std::mt19937 engine(1);
+        std::uniform_real_distribution<float> place(-reach / 2, reach / 2);
+        std::uniform_real_distribution<float> size(0.5f, 6);
+        addCube(Vector3(0, -0.5f, 0), Vector3(reach, 1, reach));
+        for (int i = 1; i < objects; ++i) {
+            const float height = size(engine);
+            addCube(Vector3(place(engine), height / 2, place(engine)),
+                    Vector3(size(engine), height, size(engine)));
+        }
+
+        mSun = mManager.createLight();
+        mSun->setType(Ogre::Light::LT_DIRECTIONAL);
+        Ogre::SceneNode* sunNode = root->createChildSceneNode();
+        sunNode->attachObject(mSun);
+        sunNode->setDirection(Vector3(1, -1, 0.3f), Ogre::Node::TS_WORLD);
+        mManager.setShadowFarDistance(300);
+        mManager.setShadowTextureSelfShadow(true);
+        mManager.setShadowTextureCasterMaterial(flatMaterial(true));
+        mManager.addRenderQueueListener(&mSkip);
+    }
+    Field(const Field&) = delete;
+    Field& operator=(const Field&) = delete;
+    ~Field() {
+        mWindow.removeAllViewports();
+        mRoot.destroySceneManager(&mManager);
+    }
+
+    /// @param setup null for no shadows
+    Cost measure(const Ogre::ShadowCameraSetupPtr& setup, int frames) {
+        mManager.setShadowTechnique(setup ? Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED
+                                          : Ogre::SHADOWTYPE_NONE);
+        std::shared_ptr<TimedSetup> timed;
+        if (setup) {
+            mManager.setShadowTextureSettings(512, 1, Ogre::PF_FLOAT32_R);
+            timed = std::make_shared<TimedSetup>(setup, mCubes);
+            mSun->setCustomShadowCameraSetup(timed);
+        }
+        VisibilityClock visibility(*mCamera);
+        mManager.addListener(&visibility);
+        LastMap map;
+        std::vector<double> visible, survey, fit, camera, frame;
+        for (int i = -5; i < frames; ++i) {
+            mCameraNode->setOrientation(Ogre::Quaternion(
+                Ogre::Degree(mHeading + 0.2f * static_cast<float>(i)), Vector3::UNIT_Y));
+            const Clock::time_point begin = Clock::now();
+            mRoot.renderOneFrame();
+            const double passed = since(begin);
+            if (i < 0) continue; // buffers still grow
+            visible.push_back(visibility.microseconds);
+            survey.push_back(map.survey);
+            fit.push_back(map.fit);
+            camera.push_back(timed ? timed->microseconds : 0.0);
+            frame.push_back(passed);
+        }
+        if (timed) {
+            timed->countCasters = true;
+            mRoot.renderOneFrame();
+        }
+        mManager.removeListener(&visibility);
+        mSun->resetCustomShadowCameraSetup();
+        return {median(visible), median(survey), median(fit),
+                median(camera),  median(frame),  timed ? timed->casters : 0};
+    }
+
+    /// How many objects the viewer sees now.
+    std::size_t inView() const { return countVisible(*mCamera, mCubes); }
+
+private:
+    void addCube(const Vector3& centre, const Vector3& size) {
+        Ogre::Entity* cube = mManager.createEntity(cubeMesh(mManager));
+        cube->setMaterial(flatMaterial(true));
+        Ogre::SceneNode* node = mManager.getRootSceneNode()->createChildSceneNode(centre);
+        node->setScale(size);
+        node->attachObject(cube);
+        mCubes.push_back(cube);
+    }
+
+    Ogre::Root& mRoot;
+    Ogre::RenderWindow& mWindow;
+    Ogre::SceneManager& mManager;
+    SkipDrawing mSkip;
+    Ogre::Camera* mCamera = nullptr;
+    Ogre::SceneNode* mCameraNode = nullptr;
+    /// In degrees to the left of -z.
+    float mHeading = 0;
+    Ogre::Light* mSun = nullptr;
+    std::vector<Ogre::Entity*> mCubes;
+};
+
+void measure(HeadlessOgre& ogre, const std::string& manager, int objects, View view, int frames) {
+    Field field(ogre, manager, objects, view);
+    const Cost none = field.measure(nullptr, frames);
+    const Cost lispsm = field.measure(Ogre::LiSPSMShadowCameraSetup::create(), frames);
+    const Cost uniform = field.measure(UniformShadowCameraSetup::create(), frames);
+    const Cost xpsm = field.measure(XPSMShadowCameraSetup::create(), frames);
+    std::printf("%-7s %7d %6zu |%8.1f %8.1f %6.2f |%8.1f %8.1f %8.1f |%6zu %6zu |%8.0f %8.0f %8.0f "
+                "%8.0f\n",
+                manager.substr(0, manager.find("SceneManager")).c_str(), objects, field.inView(),
+                none.visibility, uniform.survey, uniform.survey / none.visibility, lispsm.setup,
+                uniform.fit, xpsm.fit, lispsm.casters, xpsm.casters, none.frame, lispsm.frame,
+                uniform.frame, xpsm.frame);
+    std::fflush(stdout);
+}
+
+int run(int argc, char** argv) {
+    int frames = 100;
+    std::vector<int> sizes{100, 1000, 10000};
+    for (int i = 1; i + 1 < argc; i += 2) {
+        const std::string option = argv[i];
+        const int value = std::atoi(argv[i + 1]);
+        if (value > 0 && option == "--frames") {
+            frames = value;
+        } else if (value > 0 && option == "--objects") {
+            sizes = {value};
+        } else {
+            std::fprintf(stderr, "usage: lixel-bench-survey [--frames N] [--objects N]\n");
+            return 2;
+        }
+    }
+    HeadlessOgre ogre;
+    std::printf("Medians over %d frames in microseconds; one directional light\n\n", frames);
+    std::printf("                       |walk of the scene        |one shadow camera           "
+                "|casters drawn|whole frame but for drawing\n");
+    std::printf("scene   objects   seen | visible   survey  ratio |  LiSPSM  Uniform     XPSM "
+                "|LiSPSM   XPSM |    none   LiSPSM  Uniform     XPSM\n");
+    for (const std::string& manager : {DefaultManager, OctreeManager})
+        for (const View view : {View::Inside, View::Outwards})
+            for (const int objects : sizes)
+                measure(ogre, manager, objects, view, frames);
+    return 0;
+}
+
+} // namespace
+} // namespace Lixel::Tests
+
+int main(int argc, char** argv) {
+    try {
+        return Lixel::Tests::run(argc, argv);
+    } catch (const std::exception& exception) {
+        std::fprintf(stderr, "lixel-bench-survey: %s\n", exception.what());
+        return 1;
+    }
+}

@@ -1,0 +1,69 @@
+// Wrong calls name their argument.
+
+#include <Lixel/setup/ObservedShadowCameraSetup.h>
+#include <Lixel/setup/UniformShadowCameraSetup.h>
+#include <Lixel/setup/XPSMShadowCameraSetup.h>
+
+#include <OgreException.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace Lixel::Tests {
+namespace {
+
+template <typename Call>
+std::string refusal(Call call) {
+    try {
+        call();
+    } catch (const Ogre::InvalidParametersException& exception) {
+        return exception.getDescription();
+    }
+    return "accepted";
+}
+
+constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+TEST(Options, FilterRadius) {
+    UniformShadowCameraSetup setup;
+    EXPECT_EQ(setup.getFilterRadius(), 1.0F);
+    setup.setFilterRadius(3);
+    EXPECT_EQ(setup.getFilterRadius(), 3.0F);
+    for (const float wrong : {-1.0F, 65.0F, NaN, Infinity})
+        EXPECT_NE(refusal([&] { setup.setFilterRadius(wrong); }).find("texels"), std::string::npos);
+    EXPECT_EQ(setup.getFilterRadius(), 3.0F);
+}
+
+TEST(Options, DepthBias) {
+    XPSMShadowCameraSetup setup;
+    EXPECT_EQ(setup.getDepthBias(), 0.0F);
+    setup.setDepthBias(0.25F);
+    EXPECT_EQ(setup.getDepthBias(), 0.25F);
+    for (const float wrong : {-0.1F, NaN, Infinity})
+        EXPECT_NE(refusal([&] { setup.setDepthBias(wrong); }).find("worldUnits"),
+                  std::string::npos);
+}
+
+TEST(Options, Xpsm) {
+    XPSMShadowCameraSetup setup;
+    setup.setStrength(0);
+    setup.setEpsilonW(1);
+    setup.setGuarded(false);
+    EXPECT_EQ(setup.getStrength(), 0.0F);
+    EXPECT_EQ(setup.getEpsilonW(), 1.0F);
+    EXPECT_FALSE(setup.getGuarded());
+    for (const float wrong : {-1.0F, NaN, Infinity})
+        EXPECT_NE(refusal([&] { setup.setStrength(wrong); }).find("strength"), std::string::npos);
+    for (const float wrong : {-1.0F, 0.0F, 1.5F, NaN})
+        EXPECT_NE(refusal([&] { setup.setEpsilonW(wrong); }).find("epsilonW"), std::string::npos);
+}
+
+TEST(Options, NothingToObserve) {
+    EXPECT_NE(refusal([] { ObservedShadowCameraSetup::create({}); }).find("inner"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace Lixel::Tests

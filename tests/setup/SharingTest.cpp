@@ -1,0 +1,114 @@
+// What comes before and after a setup: other lights, cameras, scene managers, OGRE's own setups.
+
+#include "TestStage.h"
+
+#include <Lixel/setup/XPSMShadowCameraSetup.h>
+
+namespace Lixel::Tests {
+namespace {
+
+const Ogre::Vector3 InShadow(-2, 0, 0);
+
+TEST(Sharing, OneSurveyServesAllLights) {
+    struct Surveys : ShadowMapObserver {
+        Surveys() { addShadowMapObserver(*this); }
+        void shadowMapFitted(const ShadowMap& map) override {
+            taken += map.surveyMicroseconds > 0.0 ? 1 : 0;
+            ++maps;
+        }
+        int taken = 0;
+        int maps = 0;
+    };
+    BoxOnGround scene;
+    Ogre::Light* const second = scene.stage.sceneManager().createLight("second");
+    second->setType(Ogre::Light::LT_DIRECTIONAL);
+    Ogre::SceneNode* const node =
+        scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode();
+    node->attachObject(second);
+    node->setDirection(Ogre::Vector3(1, -1, 0.5F), Ogre::Node::TS_WORLD);
+    // One instance for both lights.
+    second->setCustomShadowCameraSetup(scene.stage.light().getCustomShadowCameraSetup());
+    scene.stage.sceneManager().setShadowTextureSettings(512, 2, Ogre::PF_FLOAT32_R);
+    scene.stage.drawFrame();
+    Surveys surveys;
+    scene.stage.drawFrame();
+    EXPECT_EQ(surveys.maps, 2);
+    EXPECT_EQ(surveys.taken, 1);
+}
+
+TEST(Sharing, OgresOwnSetupsFollowUndisturbed) {
+    BoxOnGround scene;
+    const auto draw = [&](const Ogre::ShadowCameraSetupPtr& setup) {
+        scene.stage.setShadowSetup(setup);
+        scene.stage.drawFrame();
+        scene.stage.drawFrame();
+        return scene.stage.picture();
+    };
+    const auto before = draw(Samples::findShadowSetup("Ogre-Focused")->create());
+    const auto xpsm = draw(XPSMShadowCameraSetup::create());
+    const auto after = draw(Samples::findShadowSetup("Ogre-Focused")->create());
+    EXPECT_EQ(before, after) << "something of ours is left in the shadow camera";
+    EXPECT_NE(before, xpsm);
+}
+
+TEST(Sharing, TwoCamerasInOneFrame) {
+    BoxOnGround scene;
+    Ogre::Camera* const other = scene.stage.sceneManager().createCamera("Other");
+    Ogre::SceneNode* const node =
+        scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode();
+    node->attachObject(other);
+    node->setPosition(0, 8, -16);
+    node->lookAt(Ogre::Vector3::ZERO, Ogre::Node::TS_WORLD);
+    other->setNearClipDistance(0.1F);
+    other->setAspectRatio(4.0F / 3.0F);
+    const Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
+        "OtherView", "General", Ogre::TEX_TYPE_2D, 320, 240, 0, Ogre::PF_BYTE_RGB,
+        Ogre::TU_RENDERTARGET);
+    texture->getBuffer()->getRenderTarget()->addViewport(other);
+    // The texture is drawn in the same frame as the window, before it.
+    EXPECT_LT(scene.nextFrameError().error, 0.5);
+    EXPECT_LT(scene.nextFrameError().error, 0.5);
+}
+
+TEST(Sharing, LightsMayComeAndGo) {
+    BoxOnGround scene;
+    scene.stage.drawFrame();
+    for (int i = 0; i < 20; ++i) {
+        Ogre::Light* const light = scene.stage.sceneManager().createLight();
+        light->setType(Ogre::Light::LT_DIRECTIONAL);
+        light->setCustomShadowCameraSetup(scene.stage.light().getCustomShadowCameraSetup());
+        Ogre::SceneNode* const node =
+            scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode();
+        node->attachObject(light);
+        scene.stage.drawFrame();
+        scene.stage.sceneManager().destroySceneNode(node);
+        scene.stage.sceneManager().destroyLight(light);
+        scene.stage.drawFrame();
+    }
+    EXPECT_LT(scene.visibilityAt(InShadow), 128);
+}
+
+TEST(Sharing, SceneManagersMayComeAndGo) {
+    BoxOnGround scene;
+    scene.stage.drawFrame();
+    const Ogre::ShadowCameraSetupPtr setup = scene.stage.light().getCustomShadowCameraSetup();
+    for (int i = 0; i < 3; ++i) {
+        Ogre::SceneManager* const manager = scene.stage.root().createSceneManager();
+        manager->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE);
+        Ogre::Light* const light = manager->createLight("Light");
+        light->setType(Ogre::Light::LT_DIRECTIONAL);
+        light->setCustomShadowCameraSetup(setup);
+        manager->getRootSceneNode()->createChildSceneNode()->attachObject(light);
+        Ogre::Camera* const camera = manager->createCamera("Camera");
+        manager->getRootSceneNode()->createChildSceneNode()->attachObject(camera);
+        Ogre::Viewport* const viewport = scene.stage.window().addViewport(camera, 1 + i);
+        scene.stage.drawFrame();
+        scene.stage.window().removeViewport(viewport->getZOrder());
+        scene.stage.root().destroySceneManager(manager);
+        scene.stage.drawFrame();
+    }
+    EXPECT_LT(scene.visibilityAt(InShadow), 128);
+}
+
+} // namespace
+} // namespace Lixel::Tests
