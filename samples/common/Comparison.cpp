@@ -44,13 +44,14 @@ public:
     }
 
     /// Mean error in percent, over all turns or over the first alone.
-    double errorOf(const Ogre::ShadowCameraSetupPtr& setup, int mapSize, bool allTurns) const {
-        mStage.setShadowSetup(setup);
+    double errorOf(const NamedSetup& setup, int mapSize, bool allTurns) const {
         mStage.setShadowMapSize(mapSize);
         const std::size_t count = allTurns ? mPoses.size() : mPoses.size() / Turns.size();
         double sum = 0.0;
         for (std::size_t i = 0; i < count; ++i) {
             apply(mPoses[i]);
+            // A new one for each picture: what a setup keeps of another view is not its error.
+            mStage.setShadowSetup(setup.create());
             sum += compareWithTruth(mPoses[i].truth, mStage.drawVisibility()).error;
         }
         return sum / static_cast<double>(count);
@@ -105,8 +106,7 @@ GeometricMean geometricMean(const std::vector<double>& ratios) {
 }
 
 std::vector<ComparedCase> compareSetups(Stage& stage, const SampleScene& scene,
-                                        const Ogre::ShadowCameraSetupPtr& setup,
-                                        const Ogre::ShadowCameraSetupPtr& baseline,
+                                        const NamedSetup& setup, const NamedSetup& baseline,
                                         std::size_t lights, std::span<const SampleView> views,
                                         const std::function<void(const std::string&)>& leftOut) {
     const ShadowOracle oracle(collectTriangles(stage.sceneManager()));

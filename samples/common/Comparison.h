@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/Measurement.h"
+#include "common/Setups.h"
 
 #include <functional>
 #include <span>
@@ -38,8 +39,7 @@ GeometricMean geometricMean(const std::vector<double>& ratios);
     @param stage shows `scene` already
 */
 std::vector<ComparedCase> compareSetups(Stage& stage, const SampleScene& scene,
-                                        const Ogre::ShadowCameraSetupPtr& setup,
-                                        const Ogre::ShadowCameraSetupPtr& baseline,
+                                        const NamedSetup& setup, const NamedSetup& baseline,
                                         std::size_t lights, std::span<const SampleView> views,
                                         const std::function<void(const std::string&)>& leftOut);
 

@@ -32,8 +32,8 @@ std::vector<ComparedCase> compareScene(const std::string& name, const Options& o
                  .sceneManagerType = ""});
     const SampleScene scene = name.empty() ? modelScene(options.modelFile) : *findSampleScene(name);
     stage.show(scene);
-    return compareSetups(stage, scene, findShadowSetup(options.setup)->create(),
-                         findShadowSetup(options.baseline)->create(), options.lights,
+    return compareSetups(stage, scene, *findShadowSetup(options.setup),
+                         *findShadowSetup(options.baseline), options.lights,
                          std::span(scene.views).first(options.firstView ? 1 : scene.views.size()),
                          [](const std::string& left) {
                              fmt::print("{:<32} left out: no map size errs 1 to 5 %\n", left);

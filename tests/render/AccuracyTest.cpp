@@ -26,9 +26,8 @@ std::vector<ComparedCase> compare(const std::string& scene) {
                  .sceneManagerType = ""});
     const SampleScene shown = scene.empty() ? modelScene(Model) : *findSampleScene(scene);
     stage.show(shown);
-    return compareSetups(stage, shown, findShadowSetup("XPSM")->create(),
-                         findShadowSetup("Uniform")->create(), 4, shown.views,
-                         [](const std::string&) {});
+    return compareSetups(stage, shown, *findShadowSetup("XPSM"), *findShadowSetup("Uniform"), 4,
+                         shown.views, [](const std::string&) {});
 }
 
 /// Five scenes, four lights each, on maps sized so that Uniform errs 1 to 5 %.
