@@ -21,10 +21,9 @@ constexpr double LeastNearRatio = 1e-3;
 /// Evaluations of the search. Golden section narrows the interval by 0.618 with each, to 1 % of it.
 constexpr int SearchSteps = 10;
 
-/// Relative gains over a uniform map from which on the search is believed at all, and in full.
-/// Between prediction and drawn pictures they separate what helped from what did not.
-constexpr double DoubtfulGain = 0.05;
-constexpr double ClearGain = 0.2;
+/// Gain over a uniform map, relative, from which on the search is believed in full. Boxes are a
+/// coarse model of what is seen: less than a tenth is within its error.
+constexpr double ClearGain = 0.1;
 
 /// Vertices of the focus region that the search keeps; the fit itself uses all.
 constexpr std::size_t SearchVertices = 12;
@@ -93,9 +92,8 @@ double bestFraction(const WarpContext& context, const Vec2& warp) {
         best = greatest;
         bestCost = costAll;
     }
-    // Boxes are a coarse model of what is seen: a gain must be clear to be believed.
     const double gain = 1.0 - bestCost / cost(0.0);
-    const double belief = smoothstep((gain - DoubtfulGain) / (ClearGain - DoubtfulGain));
+    const double belief = smoothstep(gain / ClearGain);
     return belief * fractionAt(best) * (longest.norm() / warp.norm());
 }
 

@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <fstream>
 
 namespace Lixel::Samples {
@@ -17,10 +16,12 @@ void savePicture(const std::vector<std::uint8_t>& rgb, int width, int height,
     Ogre::Image image;
     image.loadDynamicImage(bytes.data(), static_cast<Ogre::uint32>(width),
                            static_cast<Ogre::uint32>(height), 1, Ogre::PF_BYTE_RGB);
-    image.save(file);
-    // The codec does not say when it could not write.
-    if (!std::filesystem::exists(file))
-        throw std::runtime_error("the picture '" + file + "' could not be written");
+    try {
+        image.save(file);
+    } catch (const Ogre::Exception& error) {
+        throw std::runtime_error("the picture '" + file +
+                                 "' could not be written: " + error.getDescription());
+    }
 }
 
 void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& options) {

@@ -1,0 +1,53 @@
+#!/bin/sh
+# The browser's command line, headless: commands.sh BROWSER FOLDER.
+set -eu
+browser=$1
+folder=$2
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+unset DISPLAY
+
+fail() {
+    printf 'FAILED: %s\n' "$*" >&2
+    exit 1
+}
+
+# refuses STATUS TEXT OPTIONS…: the browser must end with that status and say that text.
+refuses() {
+    status=$1 text=$2
+    shift 2
+    actual=0
+    "$browser" "$@" >out 2>&1 || actual=$?
+    [ "$actual" = "$status" ] || fail "status $actual instead of $status for: $*: $(cat out)"
+    grep -q -- "$text" out || fail "no '$text' for: $*: $(cat out)"
+}
+
+"$browser" --list >list
+for name in Samples: '  field' '  duel' '  miners-lamp' '  street' Setups: '  Uniform' '  XPSM' \
+    '  Ogre-Default' '  Ogre-Focused' '  Ogre-LiSPSM' '  Ogre-PSSM' '  Ogre-PlaneOptimal'; do
+    grep -qxF -- "$name" list || fail "--list lacks '$name'"
+done
+
+for setup in $(sed -n '/^Setups:/,$s/^  //p' list); do
+    "$browser" --headless --sample duel --setup "$setup" --map 128 --size 160x120 --frames 2 \
+        --light 170,30 --view 2 --output "$setup.png" --stats "$setup.json" >/dev/null
+    [ -s "$setup.png" ] || fail "no picture with $setup"
+    for key in sample setup map width height error_percent acne_percent leak_percent survey_us \
+        fit_us caster_ms receiver_ms frame_ms reason gl_renderer; do
+        grep -q "\"$key\": " "$setup.json" || fail "no $key in the statistics of $setup"
+    done
+done
+
+refuses 2 "there are: field" --headless --sample nowhere
+refuses 2 "there are: Uniform" --headless --setup Magic
+refuses 2 "no view 99" --headless --sample duel --view 99
+refuses 105 "800x600" --headless --size wide
+refuses 105 "120,30" --headless --light sideways
+refuses 1 "no window can be opened" --sample duel
+printf 'this is no model' >broken.gltf
+refuses 1 "broken.gltf" --headless --scene broken.gltf
+refuses 1 "missing.obj" --headless --scene missing.obj
+refuses 1 "could not be written" --headless --sample duel --map 64 --size 32x32 --frames 1 \
+    --output no/such/folder.png
+echo "All setups draw; wrong names, sizes, lights, views and files are refused with a reason."
