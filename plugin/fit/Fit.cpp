@@ -22,18 +22,34 @@ constexpr double OrientationGain = 0.10;
 /// in the last place of 4096 texels is 2^-12; this is 64 times as much.
 constexpr double RoundingTexels = 1.0 / 64.0;
 
+/// Rounding of positions and of the matrix to float, relative to the distance over which positions
+/// are measured: four terms, each of half a unit in the last place, 2^-24.
+constexpr double PositionRounding = 4.0 * 0x1p-24;
+
+/// Least size of a texel at the region's centre, relative to the distance over which positions are
+/// measured: PositionRounding is an eighth of it.
+constexpr double LeastTexel = 0x1p-19;
+
+/// Relative difference of areas that is only rounding.
+constexpr double SameArea = 1e-12;
+
 /// A focus region narrower than this fraction of its length is widened to it, one texel of a map
 /// of 4096: thinner regions are rounding (a caster seen edge-on, a flat receiver).
 constexpr double LeastAspect = 1.0 / 4096.0;
-
-/// A focus region that is a point gets this extent, relative to its distance from the viewer.
-constexpr double LeastExtent = 1e-9;
 
 /// Least depth range, as a fraction of the focus region's size: the light along a flat receiver.
 constexpr double LeastDepthRange = 1e-3;
 
 bool finite(const Mat4& m) {
     return m.allFinite();
+}
+
+/// Whether the matrix has an inverse, whatever unit its columns are in.
+bool invertible(const Mat4& m) {
+    const Eigen::RowVector4d norms = m.colwise().norm();
+    if (!(norms.minCoeff() > 0.0)) return false;
+    constexpr double Singular = 1e-12; // some thousand roundings of a determinant of unit columns
+    return std::abs((m.array().rowwise() / norms.array()).matrix().determinant()) > Singular;
 }
 
 /// Whether every number that a fit depends on is usable.
@@ -43,12 +59,12 @@ bool valid(const ShadowProblem& problem) {
     if (problem.casters == nullptr || problem.receivers == nullptr) return false;
     if (problem.mapWidth < 1 || problem.mapHeight < 1) return false;
     if (!(problem.filterRadius >= 0.0)) return false;
-    if (2.0 * (problem.filterRadius + 1.0 + RoundingTexels) >=
+    if (2.0 * (problem.filterRadius + 1.0 + RoundingTexels + PositionRounding / LeastTexel) >=
         std::min(problem.mapWidth, problem.mapHeight))
         return false;
     if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return false;
     if (!(viewer.shadowDistance >= 0.0)) return false;
-    if (std::abs(viewer.viewFromWorld.determinant()) < 1e-9) return false;
+    if (!invertible(viewer.viewFromWorld) || !invertible(viewer.clipFromView)) return false;
     if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0)) return false;
     if (light.kind != LightKind::Directional) {
         if (!light.wsPosition.allFinite()) return false;
@@ -62,74 +78,93 @@ bool valid(const ShadowProblem& problem) {
 
 /// Chooses the map's axes around the warped region: the smallest rectangle, unless the last
 /// frame's orientation is nearly as good.
-OrientedRectangle chooseRectangle(const Polygon2& warped, FitState& state) {
-    OrientedRectangle best = smallestRectangle(warped);
-    if (state.mapAngle) {
-        const OrientedRectangle kept = boundsAt(warped, *state.mapAngle);
-        if (kept.area() * (1.0 - OrientationGain) <= best.area())
-            best = kept;
-        else
+OrientedRectangle chooseRectangle(const Polygon2& warped, const LightImage& image,
+                                  FitState& state) {
+    const OrientedRectangle best = smallestRectangle(warped);
+    if (state.wsMapAxis) {
+        const Vec3 axis = image.lsFromDirection(*state.wsMapAxis);
+        const double angle = std::fmod(std::atan2(axis.y(), axis.x()) + 2.0 * std::numbers::pi,
+                                       std::numbers::pi / 2.0);
+        const OrientedRectangle kept = boundsAt(warped, angle);
+        // Where the two are one but for rounding, the one that a fresh state finds is taken; and a
+        // kept axis stays as it is: nothing may creep while nothing moves.
+        if (kept.area() > best.area() * (1.0 + SameArea)) {
+            if (kept.area() * (1.0 - OrientationGain) <= best.area()) return kept;
             ++state.orientationJumps;
+        }
     }
-    state.mapAngle = best.angle;
+    state.wsMapAxis =
+        image.lsFromWs().transpose() * Vec3(std::cos(best.angle), std::sin(best.angle), 0.0);
     return best;
 }
 
-/// The affine map that puts the rectangle into one axis of the map, `border` texels inside it.
-struct Axis {
-    double scale;
-    double offset;
-    Axis(double lower, double upper, double size, double border) {
-        // The region spans size - 2 border texels of the map's size, and -1 … 1 is all of it.
-        scale = 2.0 * (size - 2.0 * border) / size / (upper - lower);
-        offset = -scale * (lower + upper) / 2.0;
+/// Where the region's rectangle lies in the map.
+struct Placement {
+    /// Wide enough in both directions to be more than rounding.
+    OrientedRectangle rectangle;
+    /// Texels kept free on each side, along the map's axes.
+    Vec2 border;
+    /// Size of the map in texels.
+    Vec2 size;
+
+    /// The map's coordinates, -1 to 1, from a rectangle's: scale and offset along one axis.
+    double scale(int axis) const {
+        const double sides = rectangle.max[axis] - rectangle.min[axis];
+        return 2.0 * (size[axis] - 2.0 * border[axis]) / size[axis] / sides;
+    }
+    double offset(int axis) const {
+        return -scale(axis) * (rectangle.min[axis] + rectangle.max[axis]) / 2.0;
     }
 };
 
-/// Widens a range to a least width about its middle.
-void widen(double& lower, double& upper, double least) {
-    if (upper - lower >= least) return;
-    const double middle = (lower + upper) / 2.0;
-    lower = middle - least / 2.0;
-    upper = middle + least / 2.0;
+/// Places the rectangle, widened about its middle where it is too narrow.
+/// @param liReach the distance over which positions are measured, as a length in the light image
+Placement place(const ShadowProblem& problem, OrientedRectangle rectangle, double liReach) {
+    Placement result{rectangle, Vec2::Zero(), Vec2(problem.mapWidth, problem.mapHeight)};
+    const double longest = (rectangle.max - rectangle.min).maxCoeff();
+    for (int axis = 0; axis < 2; ++axis) {
+        double& lower = result.rectangle.min[axis];
+        double& upper = result.rectangle.max[axis];
+        const double least =
+            std::max(longest * LeastAspect, result.size[axis] * LeastTexel * liReach);
+        if (upper - lower < least) {
+            const double middle = (lower + upper) / 2.0;
+            lower = middle - least / 2.0;
+            upper = middle + least / 2.0;
+        }
+        const double texel = (upper - lower) / result.size[axis];
+        result.border[axis] =
+            problem.filterRadius + 1.0 + RoundingTexels + PositionRounding * liReach / texel;
+    }
+    return result;
 }
 
 /// Rows x, y and w of the map: the homography H, acting on ℓ.
-///
-/// @param liUnit a length in the light image that is not zero, should the region be a point.
-Mat3 homography(const ShadowProblem& problem, const Vec2& warp, const Vec2& centre,
-                OrientedRectangle rectangle, double liUnit) {
-    const Vec2 sides = rectangle.max - rectangle.min;
-    const double least = std::max(sides.maxCoeff() * LeastAspect, LeastExtent * liUnit);
-    widen(rectangle.min.x(), rectangle.max.x(), least);
-    widen(rectangle.min.y(), rectangle.max.y(), least);
-    const double border = problem.filterRadius + 1.0 + RoundingTexels;
-    const Axis x(rectangle.min.x(), rectangle.max.x(), problem.mapWidth, border);
-    const Axis y(rectangle.min.y(), rectangle.max.y(), problem.mapHeight, border);
-
+Mat3 homography(const Placement& placement, const Vec2& warp, const Vec2& centre) {
     // q - c, warped: (q - c) / (1 + w . (q - c)), as a homography of ℓ = (q, 1).
     Mat3 warped = Mat3::Identity();
     warped.topRightCorner<2, 1>() = -centre;
     warped.row(2) << warp.x(), warp.y(), 1.0 - warp.dot(centre);
-    const double cosine = std::cos(rectangle.angle);
-    const double sine = std::sin(rectangle.angle);
+    const double cosine = std::cos(placement.rectangle.angle);
+    const double sine = std::sin(placement.rectangle.angle);
+    const double x = placement.scale(0);
+    const double y = placement.scale(1);
     Mat3 affine;
-    affine << x.scale * cosine, x.scale * sine, x.offset, //
-        -y.scale * sine, y.scale * cosine, y.offset,      //
+    affine << x * cosine, x * sine, placement.offset(0), //
+        -y * sine, y * cosine, placement.offset(1),      //
         0.0, 0.0, 1.0;
     return affine * warped;
 }
 
 /// The focus region and what a receiver's filter reaches beyond it, in the light image: the warped
 /// hull's sum with a rectangle of the map's border, unwarped.
-void growByBorder(const ShadowProblem& problem, const OrientedRectangle& rectangle,
-                  const Vec2& warp, const Vec2& centre, FitState& state, Polygon2& grown) {
-    const double border = problem.filterRadius + 1.0 + RoundingTexels;
-    const Vec2 u(std::cos(rectangle.angle), std::sin(rectangle.angle));
+void growByBorder(const Placement& placement, const Vec2& warp, const Vec2& centre, FitState& state,
+                  Polygon2& grown) {
+    const Vec2 u(std::cos(placement.rectangle.angle), std::sin(placement.rectangle.angle));
     const Vec2 v(-u.y(), u.x());
-    const Vec2 sides = rectangle.max - rectangle.min;
-    const double bx = border * sides.x() / (problem.mapWidth - 2.0 * border);
-    const double by = border * sides.y() / (problem.mapHeight - 2.0 * border);
+    // -1 to 1 is the map's size in texels.
+    const double bx = 2.0 * placement.border.x() / placement.size.x() / placement.scale(0);
+    const double by = 2.0 * placement.border.y() / placement.size.y() / placement.scale(1);
     // 1 - w . p is one over the denominator. A few texels beyond the far end it may reach the
     // horizon; half the hull's own least value keeps the polygon finite, and still contains it.
     double horizon = 1.0;
@@ -205,18 +240,24 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
         leastDenominator = std::min(leastDenominator, denominator);
         state.warped.push_back((q - region.liCentre) / denominator);
     }
-    const OrientedRectangle rectangle = chooseRectangle(state.warped, state);
-    const double liUnit =
-        image.directional() ? std::max(region.liCentre.norm(), region.vsReceiverFar) : 1.0;
-    const Mat3 h = homography(problem, choice.liWarp, region.liCentre, rectangle, liUnit);
+    const OrientedRectangle rectangle = chooseRectangle(state.warped, image, state);
+    // How far from the origin, or from a local light, receivers are; anything but 0 where they are
+    // a point at the origin.
+    const bool directional = image.directional();
+    double wsReach = std::max({std::abs(region.lsReceiverNear), std::abs(region.lsReceiverFar),
+                               directional ? region.liCentre.norm() : image.wsEye().norm()});
+    if (!(wsReach > 0.0)) wsReach = 1.0;
+    const Placement placement =
+        place(problem, rectangle, directional ? wsReach : wsReach / region.lsReceiverNear);
+    const Mat3 h = homography(placement, choice.liWarp, region.liCentre);
 
     // Depth: what receives, and no more, where casters before it are clamped onto its near end.
     double lsNear = region.lsReceiverNear;
     double lsFar = region.lsReceiverFar;
     if (!problem.depthClamp) lsNear = std::min(lsNear, region.lsCasterNear);
     const double reach = image.directional() ? size : size * lsFar;
-    const double slack = std::max(LeastDepthRange * (reach + (lsFar - lsNear)),
-                                  1e-9 * std::max(std::abs(lsNear), std::abs(lsFar)));
+    const double slack =
+        std::max(LeastDepthRange * (reach + (lsFar - lsNear)), LeastTexel * wsReach);
     lsNear -= slack;
     lsFar += slack;
     if (!image.directional()) lsNear = std::max(lsNear, 0.5 * problem.light.nearDistance);
@@ -254,7 +295,7 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
     fit.liWarp = choice.liWarp;
     fit.mapAngle = rectangle.angle;
     Polygon2& focus = state.scratch.polygon;
-    growByBorder(problem, rectangle, choice.liWarp, region.liCentre, state, focus);
+    growByBorder(placement, choice.liWarp, region.liCentre, state, focus);
     simplifyOutward(focus, FocusPolygon::Capacity);
     if (focus.size() > FocusPolygon::Capacity) return stop(FitReason::InvalidInput);
     fit.liFocus.count = focus.size();

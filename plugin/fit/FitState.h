@@ -6,6 +6,15 @@
 
 namespace Lixel {
 
+/// What a search for a warp found last, and for which region.
+struct SearchMemory {
+    /// Logarithm of the ratio between greatest and least denominator.
+    double logRatio = 0.0;
+    /// Measures of the focus region that do not depend on how light space is turned: its distance
+    /// from the viewer, its perimeter, the farthest depth.
+    Vec3 region = Vec3::Zero();
+};
+
 /** What outlives a frame, per light, viewer and map: memory of the last choice and scratch space.
 
     A fit from a fresh state is as valid as one from a used state; only the choice among equally
@@ -19,8 +28,10 @@ struct FitState {
     std::vector<ViewSample> samples;
     /// The focus region's hull with few vertices, for evaluating many warps.
     Polygon2 simpleHull;
-    /// Direction of the last map's x axis in its warped light image, in [0, π/2).
-    std::optional<double> mapAngle;
+    /// The last map's x axis, as a direction in the world: light space itself may turn about the
+    /// light from one frame to the next.
+    std::optional<Vec3> wsMapAxis;
+    std::optional<SearchMemory> search;
     /// How often the direction was given up for a smaller map.
     std::size_t orientationJumps = 0;
 };

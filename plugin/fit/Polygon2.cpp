@@ -39,6 +39,21 @@ void clipLeftOf(const Polygon2& polygon, const Vec2& origin, const Vec2& edge, d
     }
 }
 
+/// Drops vertices that lie on the line through their neighbours, within rounding, or left of it.
+void dropFlatVertices(Polygon2& polygon) {
+    const double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+    for (std::size_t i = 0; i < polygon.size() && polygon.size() > 3;) {
+        const std::size_t n = polygon.size();
+        const Vec2 in = polygon[i] - polygon[(i + n - 1) % n];
+        const Vec2 out = polygon[(i + 1) % n] - polygon[i];
+        // The vertex' distance from the line, times the line's length, against rounding of both.
+        if (cross(in, out) <= rounding * (in + out).norm() * polygon[i].norm())
+            polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    }
+}
+
 } // namespace
 
 void convexHull(std::vector<Vec2>& points, Polygon2& hull) {
@@ -79,15 +94,9 @@ void intersect(const Polygon2& a, const Polygon2& b, Polygon2& result, Polygon2&
     const double slack = 16.0 * std::numeric_limits<double>::epsilon() *
                          std::max(largestCoordinate(a), largestCoordinate(b));
     if (b.size() == 1) {
-        // A point clips to itself; as a clipper it would have no edges.
-        for (std::size_t i = 0; i < a.size() && a.size() > 2; ++i) {
-            const Vec2 edge = a[(i + 1) % a.size()] - a[i];
-            if (cross(edge, b[0] - a[i]) < -slack * edge.norm()) {
-                result.clear();
-                return;
-            }
-        }
-        result = b;
+        // A point has no edges to clip by: it is clipped by the other instead.
+        if (a.size() > 1) return intersect(b, a, result, scratch);
+        if ((a[0] - b[0]).norm() > slack) result.clear();
         return;
     }
     for (std::size_t i = 0; i < b.size() && !result.empty(); ++i) {
@@ -111,12 +120,16 @@ Vec2 steinerPoint(std::span<const Vec2> polygon) {
     // Relative to the first vertex, so that a far away polygon loses no digits.
     Vec2 sum = Vec2::Zero();
     double total = 0.0;
+    Vec2 in = Vec2::Zero(); // the edge that ends at this vertex, none of length zero
+    for (std::size_t i = n; i-- > 0 && in.isZero(0.0);)
+        in = polygon[0] - polygon[i];
     for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 in = polygon[i] - polygon[(i + n - 1) % n];
         const Vec2 out = polygon[(i + 1) % n] - polygon[i];
+        if (out.isZero(0.0)) continue; // a repeated vertex: its last instance counts
         const double exterior = std::abs(std::atan2(cross(in, out), in.dot(out)));
         sum += exterior * (polygon[i] - polygon[0]);
         total += exterior;
+        in = out;
     }
     if (!(total > 0.0)) return polygon[0];
     return polygon[0] + sum / total;
@@ -130,6 +143,8 @@ double support(std::span<const Vec2> polygon, const Vec2& d) {
 }
 
 void simplifyOutward(Polygon2& polygon, std::size_t maxVertices) {
+    // Vertices on a line but for rounding have neighbours that meet anywhere.
+    dropFlatVertices(polygon);
     while (polygon.size() > std::max<std::size_t>(maxVertices, 4)) {
         const std::size_t n = polygon.size();
         double leastArea = std::numeric_limits<double>::infinity();
@@ -146,7 +161,7 @@ void simplifyOutward(Polygon2& polygon, std::size_t maxVertices) {
             const double t = cross(c - b, c - d) / turn;
             const Vec2 meet = b + t * (b - a);
             const double area = cross(c - b, meet - b) * -0.5;
-            if (t >= 0.0 && area < leastArea) {
+            if (t >= 0.0 && (meet - c).dot(c - d) >= 0.0 && area < leastArea) {
                 leastArea = area;
                 drop = i;
                 corner = meet;

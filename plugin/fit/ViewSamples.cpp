@@ -31,8 +31,9 @@ Vec2 jitter(int index) {
 /// The range of cells, out of `count`, that the device coordinates lower to upper reach into.
 std::pair<int, int> cells(double lower, double upper, int count) {
     const auto cell = [&](double ndc) {
-        return static_cast<int>(
-            std::clamp(std::floor((ndc + 1.0) / 2.0 * count), 0.0, static_cast<double>(count - 1)));
+        // fmin and fmax take the other argument for a NaN, which a clamp would pass on.
+        const double at = std::floor((ndc + 1.0) / 2.0 * count);
+        return static_cast<int>(std::fmin(std::fmax(at, 0.0), static_cast<double>(count - 1)));
     };
     return {cell(lower), cell(upper)};
 }

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace Lixel {
 namespace {
@@ -25,12 +27,48 @@ constexpr int SearchSteps = 10;
 /// coarse model of what is seen: less than a tenth is within its error.
 constexpr double ClearGain = 0.1;
 
+/// How much the logarithm of the denominators' ratio may change in a frame in which nothing moves
+/// noticeably, a quarter of what a fit may change in all, and how much more for each relative
+/// change of the region.
+constexpr double SteadyStep = 0.005;
+constexpr double SteadyGrowth = 5.0;
+
+/// Relative change of the region from which on it is another one, as after a camera cut.
+constexpr double AnotherRegion = 0.05;
+
 /// Vertices of the focus region that the search keeps; the fit itself uses all.
 constexpr std::size_t SearchVertices = 12;
 
 double smoothstep(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
+}
+
+/** Keeps a searched warp from jumping while the region hardly moves.
+
+    The samples that the search judges by come and go one by one, and two warps can be equally good;
+    so the ratio of denominators may change by SteadyStep, and by as much more as the region
+   changes. A camera cut changes the region altogether, and is followed at once.
+*/
+double steadyLogRatio(const WarpContext& context, double logRatio) {
+    const FocusRegion& region = context.region;
+    double perimeter = 0.0;
+    for (std::size_t i = 0; i < region.liHull.size(); ++i)
+        perimeter += (region.liHull[(i + 1) % region.liHull.size()] - region.liHull[i]).norm();
+    const Vec3 measures((region.liCentre - context.viewer.head<2>()).norm(), perimeter,
+                        region.vsReceiverFar);
+    std::optional<SearchMemory>& last = context.state.search;
+    if (last) {
+        const double change =
+            ((measures - last->region).cwiseAbs().array() /
+             (measures + last->region).cwiseAbs().array().max(std::numeric_limits<double>::min()))
+                .maxCoeff();
+        const double step = SteadyStep + SteadyGrowth * change;
+        if (change < AnotherRegion)
+            logRatio = std::clamp(logRatio, last->logRatio - step, last->logRatio + step);
+    }
+    last = SearchMemory{logRatio, measures};
+    return logRatio;
 }
 
 /** The fraction of `warp` at which the expected texel extent is least, in [0, 1].
@@ -94,7 +132,10 @@ double bestFraction(const WarpContext& context, const Vec2& warp) {
     }
     const double gain = 1.0 - bestCost / cost(0.0);
     const double belief = smoothstep(gain / ClearGain);
-    return belief * fractionAt(best) * (longest.norm() / warp.norm());
+    const double found = belief * fractionAt(best);
+    const double steady = steadyLogRatio(
+        context, std::log((1.0 + found * extent.greatest) / (1.0 - found * extent.least)));
+    return fractionAt(std::min(steady, greatest)) * (longest.norm() / warp.norm());
 }
 
 WarpChoice xpsmWarp(const WarpContext& context, const XpsmOptions& options) {

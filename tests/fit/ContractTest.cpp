@@ -1,7 +1,6 @@
 /** The contract of a fit, which every technique passes, for any valid scene.
 
-    The numbers in the tests' names are those of the contract in plugin/fit's design: what is
-    checked against is the brute-force oracle.
+    What a fit says is checked against rays and points (Oracle.h), never against its own hulls.
 */
 #include "Oracle.h"
 
