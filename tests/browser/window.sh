@@ -26,7 +26,7 @@ expect() {
     fail "the browser did not say '$1'"
 }
 
-options="--sample street --setup XPSM --size 320x240 --map 512"
+options="--sample field --setup XPSM --size 320x240 --map 512"
 "$browser" --headless $options --frames 1 --output headless.png
 
 : >log
