@@ -33,6 +33,10 @@ constexpr double LeastTexel = 0x1p-19;
 /// Relative difference of areas that is only rounding.
 constexpr double SameArea = 1e-12;
 
+/// Depth from which on a local light's receivers keep their margin against rounding, relative to
+/// the farthest's.
+constexpr double NearestExactDepth = 1.0 / 64.0;
+
 /// A focus region narrower than this fraction of its length is widened to it, one texel of a map
 /// of 4096: thinner regions are rounding (a caster seen edge-on, a flat receiver).
 constexpr double LeastAspect = 1.0 / 4096.0;
@@ -178,6 +182,9 @@ void growByBorder(const Placement& placement, const Vec2& warp, const Vec2& cent
                 const Vec2 moved = p + sx * u + sy * v;
                 points.push_back(centre + moved / std::max(1.0 - warp.dot(moved), 0.5 * horizon));
             }
+    // A corner held back from the horizon is not on its own ray any more: the hull itself belongs
+    // to the result as it is.
+    points.insert(points.end(), state.region.liHull.begin(), state.region.liHull.end());
     convexHull(points, grown);
 }
 
@@ -247,8 +254,11 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
     double wsReach = std::max({std::abs(region.lsReceiverNear), std::abs(region.lsReceiverFar),
                                directional ? region.liCentre.norm() : image.wsEye().norm()});
     if (!(wsReach > 0.0)) wsReach = 1.0;
+    // Receivers in the first part of a spot's depth are few: rounding there must not cost the map.
+    const double nearDepth =
+        std::max(region.lsReceiverNear, region.lsReceiverFar * NearestExactDepth);
     const Placement placement =
-        place(problem, rectangle, directional ? wsReach : wsReach / region.lsReceiverNear);
+        place(problem, rectangle, directional ? wsReach : wsReach / nearDepth);
     const Mat3 h = homography(placement, choice.liWarp, region.liCentre);
 
     // Depth: what receives, and no more, where casters before it are clamped onto its near end.

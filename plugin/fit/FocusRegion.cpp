@@ -82,6 +82,9 @@ bool boundsOf(const ShadowViewer& viewer, Box& box) {
     return box.centre.allFinite() && box.halfExtents.allFinite();
 }
 
+/// Relative rounding within which two bodies count as touching.
+constexpr double TouchingSlack = 1e-12;
+
 /// Widens `range` to the values between `least` and `greatest`.
 void include(Vec2& range, double least, double greatest) {
     range = {std::min(range.x(), least), std::max(range.y(), greatest)};
@@ -89,15 +92,6 @@ void include(Vec2& range, double least, double greatest) {
 
 bool holds(const Vec2& range, const Vec2& other) {
     return range.x() <= other.x() && other.y() <= range.y();
-}
-
-/// Whether a caster's image, given as points, can touch the polygon: no edge separates them.
-bool mayTouch(std::span<const Vec2> caster, const Polygon2& polygon) {
-    for (std::size_t i = 0; i < polygon.size() && polygon.size() > 1; ++i) {
-        const Vec2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-        if (support(caster, Vec2(-edge.y(), edge.x())) < cross(edge, polygon[i])) return false;
-    }
-    return true;
 }
 
 /// Collects what is visible of receivers.
@@ -234,7 +228,10 @@ ConvexVolume::Side ImageHull::classify(const Box& box) const {
     for (const EdgePlane& edge : mEdges) {
         const double distance = edge.normal.dot(box.centre) + edge.offset;
         const double reach = edge.absolute.dot(box.halfExtents);
-        if (distance < -reach) return ConvexVolume::Side::Outside;
+        // A box that touches an edge from outside shares its rays.
+        const double slack = TouchingSlack * (std::abs(edge.offset) +
+                                              edge.absolute.dot(box.centre.cwiseAbs()) + reach);
+        if (distance < -reach - slack) return ConvexVolume::Side::Outside;
         if (distance < reach) side = ConvexVolume::Side::Straddles;
     }
     return side;
@@ -277,7 +274,8 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
     scratch.casters.reset(image);
     for (const Box& box : casters.boxes()) {
         double nearest = lsDepth.over(box).x();
-        if (nearest > region.lsReceiverFar) continue;
+        // A body without depth along the light may shadow itself.
+        if (nearest > region.lsReceiverFar + TouchingSlack * std::abs(nearest)) continue;
         const bool nearer = nearest < region.lsCasterNear;
         if (!nearer && scratch.casters.classify(box) == ConvexVolume::Side::Inside) continue;
         if (scratch.receivers.classify(box) == ConvexVolume::Side::Outside) continue;
@@ -302,11 +300,14 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
             }
             break;
         }
-        if (scratch.points.empty() || nearest > region.lsReceiverFar ||
-            !mayTouch(scratch.points, receiverHull))
-            continue;
+        if (scratch.points.empty()) continue;
+        // Of each caster only what covers visible receivers: one that touches them with a corner
+        // then joins the region with that corner, and not with all of itself.
+        convexHull(scratch.points, scratch.caster);
+        intersect(receiverHull, scratch.caster, region.liHull, scratch.polygon);
+        if (region.liHull.empty()) continue;
         region.lsCasterNear = std::min(region.lsCasterNear, nearest);
-        for (const Vec2& point : scratch.points)
+        for (const Vec2& point : region.liHull)
             scratch.casters.add(point);
     }
     if (casters.unbounded() > 0) {
@@ -314,9 +315,7 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
         region.lsCasterNear = std::min(region.lsCasterNear, region.lsReceiverNear);
         region.liHull = receiverHull;
     } else {
-        const Polygon2& casterHull = scratch.casters.hull();
-        if (casterHull.empty()) return stop(FitReason::NothingShadowed);
-        intersect(receiverHull, casterHull, region.liHull, scratch.polygon);
+        region.liHull = scratch.casters.hull();
     }
     if (region.liHull.empty()) return stop(FitReason::NothingShadowed);
     region.liCentre = steinerPoint(region.liHull);

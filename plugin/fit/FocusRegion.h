@@ -49,6 +49,7 @@ struct FocusScratch {
     std::vector<const Box*> straddling;
     ImageHull receivers;
     ImageHull casters;
+    Polygon2 caster;
     Polygon2 polygon;
 };
 

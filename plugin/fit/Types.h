@@ -26,7 +26,8 @@ struct Box {
 /** The boxes of one frame's casters or receivers, in world axes.
 
     Bad input is counted instead of stored, so that whoever reads the set can say why there is
-    no map: a box with a NaN is `invalid`, one with an infinite extent is `unbounded`.
+    no map: a box with a NaN is `invalid`, one with an infinite extent, or one beyond
+    1e18, is `unbounded`.
 */
 class BoxSet {
 public:
@@ -38,7 +39,8 @@ public:
     void add(const Box& box) {
         if (box.centre.hasNaN() || box.halfExtents.hasNaN() || box.halfExtents.minCoeff() < 0.0)
             ++mInvalid;
-        else if (!box.centre.allFinite() || !box.halfExtents.allFinite())
+        else if (!(box.centre.cwiseAbs() + box.halfExtents).allFinite() ||
+                 (box.centre.cwiseAbs() + box.halfExtents).maxCoeff() > GreatestExtent)
             ++mUnbounded;
         else
             mBoxes.push_back(box);
@@ -52,6 +54,9 @@ public:
     bool empty() const { return mBoxes.empty() && mUnbounded == 0; }
 
 private:
+    /// Beyond it a float's square overflows, and matrices with it: such a box has no bounds.
+    static constexpr double GreatestExtent = 1e18;
+
     std::vector<Box> mBoxes;
     std::size_t mUnbounded = 0;
     std::size_t mInvalid = 0;

@@ -6,7 +6,8 @@
 namespace Lixel {
 
 /** Extended perspective shadow maps (Gusev 2007): more texels near the viewer, none lost to
-    casters behind it. The defaults need no tuning to the scene's scale. @see fit/Xpsm.h */
+    casters behind it. The defaults need no tuning to the scene's scale. Spot lights get the uniform
+    map. @see fit/Xpsm.h */
 class LIXEL_API XPSMShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     static Ogre::ShadowCameraSetupPtr create() { return std::make_shared<XPSMShadowCameraSetup>(); }
