@@ -38,6 +38,24 @@ protected:
         EXPECT_LT(scene.nextFrameError().error, GoodFrame);
         EXPECT_TRUE(last.fit.hasMap());
     }
+
+    /// A triangle over the box that claims to be everywhere.
+    Ogre::ManualObject* addCloud() {
+        Ogre::ManualObject* const cloud = scene.stage.sceneManager().createManualObject("cloud");
+        cloud->begin("Lixel/Surface", Ogre::RenderOperation::OT_TRIANGLE_LIST, "Lixel");
+        for (const Ogre::Vector3& p :
+             {Ogre::Vector3(-1, 3, -1), Ogre::Vector3(-1, 3, 1), Ogre::Vector3(1, 3, 1)}) {
+            cloud->position(p);
+            cloud->normal(Ogre::Vector3::UNIT_Y);
+        }
+        cloud->triangle(0, 1, 2);
+        cloud->end();
+        cloud->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
+        Ogre::SceneNode* const node =
+            scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode();
+        node->attachObject(cloud);
+        return cloud;
+    }
 };
 
 TEST_P(BadInput, GoodFramesHaveShadows) {
@@ -69,25 +87,13 @@ TEST_P(BadInput, NaNLightDirectionInTheFirstFrame) {
 }
 
 TEST_P(BadInput, InfiniteBoxIsEverywhere) {
-    Ogre::ManualObject* const cloud = scene.stage.sceneManager().createManualObject("cloud");
-    cloud->begin("Lixel/Surface", Ogre::RenderOperation::OT_TRIANGLE_LIST, "Lixel");
-    for (const Ogre::Vector3& p :
-         {Ogre::Vector3(-1, 3, -1), Ogre::Vector3(-1, 3, 1), Ogre::Vector3(1, 3, 1)}) {
-        cloud->position(p);
-        cloud->normal(Ogre::Vector3::UNIT_Y);
-    }
-    cloud->triangle(0, 1, 2);
-    cloud->end();
-    cloud->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
-    Ogre::SceneNode* const node =
-        scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode();
-    node->attachObject(cloud);
+    Ogre::ManualObject* const cloud = addCloud();
     EXPECT_LT(scene.nextFrameError().error, GoodFrame);
     EXPECT_EQ(last.fit.reason, FitReason::UnboundedBody);
     scene.stage.drawFrame();
     EXPECT_EQ(log.count("'cloud' has no bounds"), 1U);
 
-    node->detachObject(cloud);
+    cloud->detachFromParent();
     expectGoodFrame();
     EXPECT_EQ(log.count("Lixel:"), 1U);
 }
@@ -96,25 +102,14 @@ TEST_P(BadInput, InfiniteBoxAndViewWithoutEnd) {
     scene.stage.camera().setFarClipDistance(0);
     scene.stage.sceneManager().setShadowFarDistance(0);
     scene.stage.light().resetShadowFarDistance();
-    Ogre::ManualObject* const cloud = scene.stage.sceneManager().createManualObject("cloud");
-    cloud->begin("Lixel/Surface", Ogre::RenderOperation::OT_TRIANGLE_LIST, "Lixel");
-    for (int i = 0; i < 3; ++i) {
-        cloud->position(static_cast<float>(i), 3, static_cast<float>(i * i));
-        cloud->normal(Ogre::Vector3::UNIT_Y);
-    }
-    cloud->triangle(0, 1, 2);
-    cloud->end();
-    cloud->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
-    Ogre::SceneNode* const node =
-        scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode();
-    node->attachObject(cloud);
+    Ogre::ManualObject* const cloud = addCloud();
     for (int i = 0; i < 3; ++i)
         scene.stage.drawFrame();
     EXPECT_EQ(last.fit.reason, FitReason::Unbounded);
     EXPECT_EQ(log.count("no shadow map for light 'Light'"), 1U);
     EXPECT_GE(scene.visibilityAt(InShadow), 128) << "without a map everything is lit";
 
-    node->detachObject(cloud);
+    cloud->detachFromParent();
     EXPECT_LT(scene.visibilityAt(InShadow), 128);
 }
 
