@@ -240,13 +240,8 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
         choice.reason = FitReason::WarpClamped;
 
     // The affine fit around the warped region.
-    state.warped.clear();
-    double leastDenominator = 1.0;
-    for (const Vec2& q : region.liHull) {
-        const double denominator = 1.0 + choice.liWarp.dot(q - region.liCentre);
-        leastDenominator = std::min(leastDenominator, denominator);
-        state.warped.push_back((q - region.liCentre) / denominator);
-    }
+    const double leastDenominator =
+        warpPolygon(region.liHull, region.liCentre, choice.liWarp, state.warped);
     const OrientedRectangle rectangle = chooseRectangle(state.warped, image, state);
     // How far from the origin, or from a local light, receivers are; anything but 0 where they are
     // a point at the origin.

@@ -17,8 +17,8 @@ struct WarpContext {
     const LightImage& image;
     const FocusRegion& region;
     FitState& state;
-    /// ℓ of the viewer's position, relative to nothing; third component <= 0 where a local light
-    /// does not shine towards the viewer.
+    /// ℓ of the viewer's position; its third component is <= 0 where the viewer is behind a local
+    /// light.
     Vec3 viewer;
     /// ℓ of the unit view direction.
     Vec3 viewDirection;

@@ -1,5 +1,7 @@
 #include "fit/ViewSamples.h"
 
+#include "fit/Warp.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -165,11 +167,7 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Foc
 
 double expectedTexelExtent(const std::vector<ViewSample>& samples, const Polygon2& hull,
                            const Vec2& centre, const Vec2& warp, Polygon2& scratch) {
-    scratch.clear();
-    for (const Vec2& vertex : hull) {
-        const Vec2 q = vertex - centre;
-        scratch.push_back(q / (1.0 + warp.dot(q)));
-    }
+    warpPolygon(hull, centre, warp, scratch);
     const OrientedRectangle map = smallestRectangle(scratch);
     const Vec2 sides = map.max - map.min;
     // Texels per unit of the warped image along the map's axes, up to the map's size.

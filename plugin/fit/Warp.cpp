@@ -1,5 +1,7 @@
 #include "fit/Warp.h"
 
+#include <algorithm>
+
 namespace Lixel {
 
 WarpExtent warpExtent(const Polygon2& hull, const Vec2& centre, const Vec2& warp,
@@ -16,6 +18,18 @@ double pullIntoSafeSet(const Polygon2& hull, const Vec2& centre, double thicknes
     const double factor = (1.0 - WarpSafety) / load;
     warp *= factor;
     return factor;
+}
+
+double warpPolygon(const Polygon2& hull, const Vec2& centre, const Vec2& warp, Polygon2& warped) {
+    warped.clear();
+    double least = 1.0;
+    for (const Vec2& vertex : hull) {
+        const Vec2 q = vertex - centre;
+        const double denominator = 1.0 + warp.dot(q);
+        least = std::min(least, denominator);
+        warped.push_back(q / denominator);
+    }
+    return least;
 }
 
 } // namespace Lixel

@@ -34,4 +34,8 @@ WarpExtent warpExtent(const Polygon2& hull, const Vec2& centre, const Vec2& warp
 */
 double pullIntoSafeSet(const Polygon2& hull, const Vec2& centre, double thickness, Vec2& warp);
 
+/// The hull warped about the centre, q -> (q - c) / (1 + w . (q - c)).
+/// @return the least denominator, at most 1
+double warpPolygon(const Polygon2& hull, const Vec2& centre, const Vec2& warp, Polygon2& warped);
+
 } // namespace Lixel

@@ -14,8 +14,9 @@ struct XpsmOptions {
         viewer's. In (0, 1]; near 1 a caster behind the viewer dampens the warp more. */
     double epsilonW = 0.7;
     /** Whether the warp is searched for between none and the one that the constants give, where
-        the expected extent of a texel in the viewer's picture is least. It is then never worse
-        than a uniform map's. Without, the warp is literally Gusev's. */
+        the expected extent of a texel in the viewer's picture is least: no greater than a uniform
+        map's, as far as the receivers' boxes tell. From frame to frame the choice is followed
+        steadily, and at once after a camera cut. Without, the warp is literally Gusev's. */
     bool guarded = true;
 };
 
