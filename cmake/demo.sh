@@ -17,7 +17,7 @@ say() { printf '== %s\n' "$*"; }
 
 browser=build/bin/lixel-browser
 pictures=build/demo
-model=/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb
+model=/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc
 
 # A number of the statistics that the browser has written.
 statistic() { sed -n 's/^ *"'"$1"'": \([0-9.e+-]*\),*$/\1/p' "$pictures/statistics.json"; }
@@ -67,7 +67,7 @@ picture field-uniform Uniform --sample field --map 512
 picture duel XPSM --sample duel
 picture miners-lamp XPSM --sample miners-lamp
 picture street XPSM --sample street
-picture model XPSM --scene "$model"
+picture model XPSM --scene "$model" --view 3 --light 75,25
 cat <<END
 
 wrong: of the pixels that the light can reach, how many have a shadow where there should be

@@ -3,6 +3,7 @@
 #include "fit/Types.h"
 
 #include <limits>
+#include <span>
 
 namespace Lixel {
 
@@ -36,6 +37,13 @@ struct ShadowViewer {
     double shadowDistance = 0.0;
 };
 
+/// A point of a receiver that the viewer sees, in world axes relative to the problem's origin.
+struct VisiblePoint {
+    Vec3 ws = Vec3::Zero();
+    /// Unit normal on the side that is seen.
+    Vec3 wsNormal = Vec3::UnitY();
+};
+
 /** One light, one viewer and this frame's bodies: everything that a fit depends on.
 
     All positions are in world axes relative to one origin, by convention the viewer's position, in
@@ -46,6 +54,9 @@ struct ShadowProblem {
     ShadowLight light;
     const BoxSet* casters = nullptr;
     const BoxSet* receivers = nullptr;
+    /** What the viewer sees of the receivers, if it is known better than from their boxes: points
+        spread evenly over the viewer's picture, such as a depth buffer read back. */
+    std::span<const VisiblePoint> visiblePoints{};
     /// Size of the shadow map in texels.
     int mapWidth = 1024;
     int mapHeight = 1024;

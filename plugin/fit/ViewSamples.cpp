@@ -68,14 +68,10 @@ void meet(const Box& box, ViewSampleScratch::Ray& ray) {
     ray.normal[axis] = ray.direction[axis] > 0.0 ? -1.0 : 1.0;
 }
 
-} // namespace
-
-void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
-                ViewSampleScratch& scratch, std::vector<ViewSample>& samples) {
-    samples.clear();
-    const Mat4 clipFromWorld = problem.viewer.clipFromView * problem.viewer.viewFromWorld;
+/// Traces view rays against the receivers' boxes.
+void traceBoxes(const ShadowProblem& problem, const Mat4& clipFromWorld,
+                ViewSampleScratch& scratch) {
     const Mat4 worldFromClip = clipFromWorld.inverse();
-
     scratch.rays.clear();
     for (int row = 0; row < Rows; ++row)
         for (int column = 0; column < Columns; ++column) {
@@ -111,7 +107,19 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Foc
             for (int column = across.first; column <= across.second; ++column)
                 meet(box, scratch.rays[static_cast<std::size_t>(row * Columns + column)]);
     }
+}
 
+/// Frobenius norm of the inverse: the extent of a texel in the space that `texelFrom` maps from.
+double extent(const Eigen::Matrix2d& texelFrom) {
+    return texelFrom.norm() / std::abs(texelFrom.determinant());
+}
+
+} // namespace
+
+void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
+                ViewSampleScratch& scratch, std::vector<ViewSample>& samples) {
+    samples.clear();
+    const Mat4 clipFromWorld = problem.viewer.clipFromView * problem.viewer.viewFromWorld;
     const Eigen::RowVector4d depthRow = -problem.viewer.viewFromWorld.row(2);
     const auto inFocus = [&](const Vec2& q) {
         for (std::size_t i = 0; i < region.liHull.size(); ++i) {
@@ -121,18 +129,16 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Foc
         }
         return true;
     };
-    for (const ViewSampleScratch::Ray& ray : scratch.rays) {
-        if (!std::isfinite(ray.nearest)) continue;
-        const Vec3 ws = ray.origin + ray.nearest * ray.direction;
+    const auto add = [&](const Vec3& ws, const Vec3& wsNormal) {
         if (problem.viewer.shadowDistance > 0.0 &&
             depthRow.dot(ws.homogeneous()) > problem.viewer.shadowDistance)
-            continue;
+            return;
         const Vec3 ls = image.lsFromPoint(ws);
-        if (!image.directional() && -ls.z() < problem.light.nearDistance) continue;
+        if (!image.directional() && -ls.z() < problem.light.nearDistance) return;
         const Vec3 lsToLight = image.directional() ? Vec3(0.0, 0.0, 1.0) : Vec3(-ls.normalized());
-        if ((image.lsFromWs() * ray.normal).dot(lsToLight) < LeastFacing) continue;
+        if ((image.lsFromWs() * wsNormal).dot(lsToLight) < LeastFacing) return;
         const Vec2 q = image.project(ls);
-        if (!inFocus(q)) continue;
+        if (!inFocus(q)) return;
 
         // The tangent's motion for a unit step of each device coordinate u = x / w:
         // du = (row x - u row w) . dx / w, with n . dx = 0.
@@ -144,7 +150,7 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Foc
         ndcFromWs.row(1) =
             (clipFromWorld.row(1) - clip.y() / clip.w() * clipFromWorld.row(3)).head<3>() /
             clip.w();
-        ndcFromWs.row(2) = ray.normal.transpose();
+        ndcFromWs.row(2) = wsNormal.transpose();
         const Mat3 wsFromNdc = ndcFromWs.inverse();
         Eigen::Matrix<double, 2, 3> liFromLs = Eigen::Matrix<double, 2, 3>::Identity();
         if (!image.directional()) {
@@ -157,6 +163,16 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Foc
         sample.liFromNdc = liFromLs * image.lsFromWs() * wsFromNdc.leftCols<2>();
         if (sample.liFromNdc.allFinite() && sample.liFromNdc.determinant() != 0.0)
             samples.push_back(sample);
+    };
+
+    if (!problem.visiblePoints.empty()) {
+        for (const VisiblePoint& point : problem.visiblePoints)
+            add(point.ws, point.wsNormal);
+    } else {
+        traceBoxes(problem, clipFromWorld, scratch);
+        for (const ViewSampleScratch::Ray& ray : scratch.rays)
+            if (std::isfinite(ray.nearest))
+                add(ray.origin + ray.nearest * ray.direction, ray.normal);
     }
     if (samples.size() > MostSamples) {
         for (std::size_t i = 0; i < MostSamples; ++i)
@@ -181,8 +197,9 @@ double expectedTexelExtent(const std::vector<ViewSample>& samples, const Polygon
         // d(q / (1 + w . q)) = (I - q w^T / denominator) / denominator
         const Eigen::Matrix2d warped =
             (Eigen::Matrix2d::Identity() - q * warp.transpose() / denominator) / denominator;
-        const Eigen::Matrix2d j = toTexel * warped * sample.liFromNdc;
-        sum += j.norm() / std::abs(j.determinant());
+        const Eigen::Matrix2d texelFromLi = toTexel * warped;
+        const Eigen::Matrix2d texelFromNdc = texelFromLi * sample.liFromNdc;
+        sum += std::sqrt(extent(texelFromLi) * extent(texelFromNdc));
     }
     return sum / static_cast<double>(samples.size());
 }

@@ -27,18 +27,24 @@ struct ViewSampleScratch {
 
 /** Samples what the viewer sees of the receivers and the light shines on, within the focus region.
 
-    View rays, spread evenly over the picture, meet the receivers' boxes; a box that a ray starts
-    in is hit where the ray leaves it. A sample must face the light, n . l >= 0.05, as pixels of
-    which shadows are judged do.
+    The visible points are the problem's own where it has any; otherwise view rays, spread evenly
+    over the picture, meet the receivers' boxes; a box that a ray starts in is hit where the ray
+    leaves it. A sample must face the light, n . l >= 0.05, as pixels of which shadows are judged
+   do.
 */
 void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
                 ViewSampleScratch& scratch, std::vector<ViewSample>& samples);
 
-/** The expected extent of a texel in pixels, up to a factor that is the same for all warps.
+/** How large texels are on average over the samples, up to a factor that is the same for all warps:
+    Chong's "one combined measure of aliasing" (2006, §3.3), to be minimised.
 
-    The mean over the samples of the Frobenius norm of d(pixel) / d(texel), that is of
-    sqrt(sum J^2) / |det J| for J = d(texel) / d(pixel): Chong's "one combined measure of aliasing"
-    (2006, §3.3), perspective and projection aliasing together.
+    A pixel is classified wrongly where a texel lies across a shadow's edge, so how often that
+    happens is the density of edges times the extent of a texel in the same plane. Edges spread
+    evenly over the light image call for the texel's extent there, edges spread evenly over the
+    viewer's picture for its extent in pixels; scenes are in between, and this is the mean of the
+    geometric means of the two. Extents are Frobenius norms of d(plane) / d(texel), that is
+    sqrt(sum J^2) / |det J| for J = d(texel) / d(plane): perspective and projection aliasing
+    together.
 
     @param hull the focus region's; the map is the smallest rectangle around it after the warp
 */

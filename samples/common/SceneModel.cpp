@@ -1,6 +1,7 @@
 #include "common/ModelFile.h"
 #include "common/Scenes.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace Lixel::Samples {
@@ -24,7 +25,18 @@ SampleScene modelScene(const std::string& path) {
                           const Ogre::Vector3& target) {
         return SampleView{name, position, target, 0.01F * extent, 12.0F * extent, 45.0F, {}};
     };
+    // Along the longer side at a visitor's height, from so near that its other end is far.
+    const bool longX = size.x >= size.z;
+    const Ogre::Vector3 alongSide = longX ? Ogre::Vector3::UNIT_X : Ogre::Vector3::UNIT_Z;
+    const Ogre::Vector3 outwards = longX ? Ogre::Vector3::UNIT_Z : Ogre::Vector3::UNIT_X;
+    const float half = 0.5F * std::max(size.x, size.z);
+    const float halfWidth = 0.5F * std::min(size.x, size.z);
     scene.views = {
+        view("along-the-side",
+             foot - 1.1F * half * alongSide + (halfWidth + 0.2F * half) * outwards +
+                 Ogre::Vector3(0.0F, 0.3F * size.y, 0.0F),
+             foot + half * alongSide + halfWidth * outwards +
+                 Ogre::Vector3(0.0F, 0.1F * size.y, 0.0F)),
         view("from-the-corner", centre + extent * Ogre::Vector3(0.75F, 0.5F, 0.85F), centre),
         view("low", foot + Ogre::Vector3(-0.55F * extent, 0.1F * extent, 1.0F * extent),
              foot + Ogre::Vector3(0.0F, 0.35F * size.y, 0.0F)),

@@ -13,9 +13,8 @@ namespace {
 
 using namespace Samples;
 
-/// A model that comes with Debian's assimp-testmodels.
-const char* const Model =
-    "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb";
+/// A house, which comes with Debian's assimp-testmodels.
+const char* const Model = "/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc";
 
 std::vector<ComparedCase> compare(const std::string& scene) {
     Stage stage({.headless = true,
@@ -27,10 +26,10 @@ std::vector<ComparedCase> compare(const std::string& scene) {
     const SampleScene shown = scene.empty() ? modelScene(Model) : *findSampleScene(scene);
     stage.show(shown);
     return compareSetups(stage, shown, *findShadowSetup("XPSM"), *findShadowSetup("Uniform"), 4,
-                         shown.views, [](const std::string&) {});
+                         std::span(shown.views).first(1), [](const std::string&) {});
 }
 
-/// Five scenes, four lights each, on maps sized so that Uniform errs 1 to 5 %.
+/// Five scenes as they first show, four lights each, on maps sized so that Uniform errs 1 to 5 %.
 TEST(Accuracy, XpsmErrsLessThanUniform) {
     std::vector<double> ratios;
     for (const std::string scene : {"field", "duel", "miners-lamp", "street", ""}) {
@@ -46,7 +45,7 @@ TEST(Accuracy, XpsmErrsLessThanUniform) {
     fmt::print("geometric mean {:.3f} [{:.3f}, {:.3f}] over {} cases\n", mean.mean, mean.lower,
                mean.upper, mean.count);
     EXPECT_EQ(mean.count, 20U);
-    EXPECT_LE(mean.mean, 0.65);
+    EXPECT_LE(mean.mean, 0.5);
 }
 
 } // namespace
