@@ -1,18 +1,21 @@
 #pragma once
 
-#include "fit/ViewSamples.h"
+#include "fit/TexelExtent.h"
 
 #include <optional>
 
 namespace Lixel {
 
-/// What a search for a warp found last, and for which region.
+/// What a search for a warp found last, and for whom.
 struct SearchMemory {
-    /// Logarithm of the ratio between greatest and least denominator.
-    double logRatio = 0.0;
-    /// Measures of the focus region that do not depend on how light space is turned: its distance
-    /// from the viewer, its perimeter, the farthest depth.
-    Vec3 region = Vec3::Zero();
+    /// The spread, a vector of the light image, as a direction in the world.
+    Vec3 wsSpread = Vec3::Zero();
+    /// Lengths that do not depend on how light space is turned: the focus region's distance from
+    /// the viewer, its perimeter, the farthest depth.
+    Vec3 measures = Vec3::Zero();
+    /// Unit directions of the viewer and of the light's axis.
+    Vec3 wsView = Vec3::Zero();
+    Vec3 wsLight = Vec3::Zero();
 };
 
 /** What outlives a frame, per light, viewer and map: memory of the last choice and scratch space.
@@ -28,6 +31,7 @@ struct FitState {
     std::vector<ViewSample> samples;
     /// The focus region's hull with few vertices, for evaluating many warps.
     Polygon2 simpleHull;
+    TexelExtent extent;
     /// The last map's x axis, as a direction in the world: light space itself may turn about the
     /// light from one frame to the next.
     std::optional<Vec3> wsMapAxis;

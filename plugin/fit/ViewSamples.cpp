@@ -1,7 +1,5 @@
 #include "fit/ViewSamples.h"
 
-#include "fit/Warp.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -15,10 +13,6 @@ namespace {
 /// fills but a tenth of the picture still gets its samples.
 constexpr int Columns = 28;
 constexpr int Rows = 24;
-
-/// Samples kept, evenly out of those found. With 64 the chosen warp is that of a thousand within
-/// a few percent of the error.
-constexpr std::size_t MostSamples = 96;
 
 /// Least cosine between normal and light.
 constexpr double LeastFacing = 0.05;
@@ -109,15 +103,10 @@ void traceBoxes(const ShadowProblem& problem, const Mat4& clipFromWorld,
     }
 }
 
-/// Frobenius norm of the inverse: the extent of a texel in the space that `texelFrom` maps from.
-double extent(const Eigen::Matrix2d& texelFrom) {
-    return texelFrom.norm() / std::abs(texelFrom.determinant());
-}
-
 } // namespace
 
 void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
-                ViewSampleScratch& scratch, std::vector<ViewSample>& samples) {
+                std::size_t most, ViewSampleScratch& scratch, std::vector<ViewSample>& samples) {
     samples.clear();
     const Mat4 clipFromWorld = problem.viewer.clipFromView * problem.viewer.viewFromWorld;
     const Eigen::RowVector4d depthRow = -problem.viewer.viewFromWorld.row(2);
@@ -174,34 +163,11 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Foc
             if (std::isfinite(ray.nearest))
                 add(ray.origin + ray.nearest * ray.direction, ray.normal);
     }
-    if (samples.size() > MostSamples) {
-        for (std::size_t i = 0; i < MostSamples; ++i)
-            samples[i] = samples[i * samples.size() / MostSamples];
-        samples.resize(MostSamples);
+    if (samples.size() > most) {
+        for (std::size_t i = 0; i < most; ++i)
+            samples[i] = samples[i * samples.size() / most];
+        samples.resize(most);
     }
-}
-
-double expectedTexelExtent(const std::vector<ViewSample>& samples, const Polygon2& hull,
-                           const Vec2& centre, const Vec2& warp, Polygon2& scratch) {
-    warpPolygon(hull, centre, warp, scratch);
-    const OrientedRectangle map = smallestRectangle(scratch);
-    const Vec2 sides = map.max - map.min;
-    // Texels per unit of the warped image along the map's axes, up to the map's size.
-    Eigen::Matrix2d toTexel;
-    toTexel << std::cos(map.angle) / sides.x(), std::sin(map.angle) / sides.x(),
-        -std::sin(map.angle) / sides.y(), std::cos(map.angle) / sides.y();
-    double sum = 0.0;
-    for (const ViewSample& sample : samples) {
-        const Vec2 q = sample.liPoint - centre;
-        const double denominator = 1.0 + warp.dot(q);
-        // d(q / (1 + w . q)) = (I - q w^T / denominator) / denominator
-        const Eigen::Matrix2d warped =
-            (Eigen::Matrix2d::Identity() - q * warp.transpose() / denominator) / denominator;
-        const Eigen::Matrix2d texelFromLi = toTexel * warped;
-        const Eigen::Matrix2d texelFromNdc = texelFromLi * sample.liFromNdc;
-        sum += std::sqrt(extent(texelFromLi) * extent(texelFromNdc));
-    }
-    return sum / static_cast<double>(samples.size());
 }
 
 } // namespace Lixel

@@ -30,25 +30,11 @@ struct ViewSampleScratch {
     The visible points are the problem's own where it has any; otherwise view rays, spread evenly
     over the picture, meet the receivers' boxes; a box that a ray starts in is hit where the ray
     leaves it. A sample must face the light, n . l >= 0.05, as pixels of which shadows are judged
-   do.
+    do.
+
+    @param most samples to keep, evenly out of those found
 */
 void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
-                ViewSampleScratch& scratch, std::vector<ViewSample>& samples);
-
-/** How large texels are on average over the samples, up to a factor that is the same for all warps:
-    Chong's "one combined measure of aliasing" (2006, §3.3), to be minimised.
-
-    A pixel is classified wrongly where a texel lies across a shadow's edge, so how often that
-    happens is the density of edges times the extent of a texel in the same plane. Edges spread
-    evenly over the light image call for the texel's extent there, edges spread evenly over the
-    viewer's picture for its extent in pixels; scenes are in between, and this is the mean of the
-    geometric means of the two. Extents are Frobenius norms of d(plane) / d(texel), that is
-    sqrt(sum J^2) / |det J| for J = d(texel) / d(plane): perspective and projection aliasing
-    together.
-
-    @param hull the focus region's; the map is the smallest rectangle around it after the warp
-*/
-double expectedTexelExtent(const std::vector<ViewSample>& samples, const Polygon2& hull,
-                           const Vec2& centre, const Vec2& warp, Polygon2& scratch);
+                std::size_t most, ViewSampleScratch& scratch, std::vector<ViewSample>& samples);
 
 } // namespace Lixel

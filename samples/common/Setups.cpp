@@ -1,6 +1,7 @@
 #include "common/Setups.h"
 
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
+#include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
@@ -57,6 +58,7 @@ const std::vector<NamedSetup>& shadowSetups() {
     static const std::vector<NamedSetup> setups{
         lixel<UniformShadowCameraSetup>("Uniform", "Lixel: uniform, focused on visible receivers"),
         lixel<XPSMShadowCameraSetup>("XPSM", "Lixel: extended perspective shadow map"),
+        lixel<OptimalShadowCameraSetup>("Optimal", "Lixel: texels smallest where the viewer looks"),
         ogre<Ogre::DefaultShadowCameraSetup>("Ogre-Default", "OGRE: uniform"),
         ogre<Ogre::FocusedShadowCameraSetup>("Ogre-Focused", "OGRE: uniform, focused"),
         ogre<Ogre::LiSPSMShadowCameraSetup>("Ogre-LiSPSM", "OGRE: light space perspective"),

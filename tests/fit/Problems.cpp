@@ -1,5 +1,6 @@
 #include "Problems.h"
 
+#include "fit/Optimal.h"
 #include "fit/Uniform.h"
 #include "fit/Xpsm.h"
 
@@ -312,6 +313,8 @@ const std::vector<Technique>& techniques() {
          [](const ShadowProblem& problem, FitState& state) {
              return fitXpsm(problem, {.strength = 2.0, .epsilonW = 0.7, .guarded = false}, state);
          }},
+        {"Optimal", [](const ShadowProblem& problem,
+                       FitState& state) { return fitOptimal(problem, {}, state); }},
     };
     return all;
 }

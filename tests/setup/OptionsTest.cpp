@@ -2,6 +2,7 @@
 
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
+#include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
 #include <OgreException.h>
@@ -58,6 +59,19 @@ TEST(Options, Xpsm) {
         EXPECT_NE(refusal([&] { setup.setStrength(wrong); }).find("strength"), std::string::npos);
     for (const float wrong : {-1.0F, 0.0F, 1.5F, NaN})
         EXPECT_NE(refusal([&] { setup.setEpsilonW(wrong); }).find("epsilonW"), std::string::npos);
+}
+
+TEST(Options, Optimal) {
+    OptimalShadowCameraSetup setup;
+    setup.setSamples(1);
+    setup.setEvaluations(4096);
+    EXPECT_EQ(setup.getSamples(), 1);
+    EXPECT_EQ(setup.getEvaluations(), 4096);
+    for (const int wrong : {-1, 0, 4097})
+        EXPECT_NE(refusal([&] { setup.setSamples(wrong); }).find("samples"), std::string::npos);
+    for (const int wrong : {-1, 0, 7, 4097})
+        EXPECT_NE(refusal([&] { setup.setEvaluations(wrong); }).find("evaluations"),
+                  std::string::npos);
 }
 
 TEST(Options, NothingToObserve) {

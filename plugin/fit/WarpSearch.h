@@ -1,0 +1,69 @@
+#pragma once
+
+#include "fit/Fit.h"
+
+/** Searching for the warp that makes texels smallest where the viewer looks.
+
+    A warp is named by its *spread*: a vector of the warp's direction, as long as the natural
+    logarithm of the ratio between greatest and least denominator on the focus region. Around 0 and
+    along each direction the expected extent has one minimum in it, whatever the region's size.
+*/
+namespace Lixel {
+
+/// The warp about the centre that has this spread.
+Vec2 warpOfSpread(const Polygon2& hull, const Vec2& centre, const Vec2& spread);
+
+/// The spread of a warp that is positive on the hull.
+Vec2 spreadOfWarp(const Polygon2& hull, const Vec2& centre, const Vec2& warp);
+
+/** One frame's search: samples, measure, and the memory that keeps the choice steady. */
+class WarpSearch {
+public:
+    /// Greatest spread looked at: a nearest texel e^8 = 3000 times as fine as the farthest.
+    static constexpr double GreatestSpread = 8.0;
+
+    /// Samples the view. @param samples how many to keep at most
+    WarpSearch(const WarpContext& context, std::size_t samples);
+
+    /// Whether there is anything to judge warps by.
+    bool usable() const { return mUniform > 0.0; }
+
+    /// The expected extent of a spread, relative to a uniform map's; infinite beyond
+    /// GreatestSpread.
+    double operator()(const Vec2& spread);
+
+    /** The best spread along a unit direction, up to `greatest` of length, by golden section
+        (Kiefer 1953) and with both ends.
+        @param evaluations of the measure, at least 3 */
+    Vec2 along(const Vec2& direction, double greatest, int evaluations);
+
+    /** The best spread around `start`, by the simplex method of Nelder and Mead (1965), repeated.
+        @param evaluations of the measure; with fewer than 5 it is `start` */
+    Vec2 around(const Vec2& start, int evaluations);
+
+    /** The spread to use: as much of `best` as its gain over a uniform map is worth believing, held
+        near the last frame's while the region hardly moves. */
+    Vec2 settle(const Vec2& best);
+
+    /// The last frame's spread in this frame's light image; none after a camera cut.
+    std::optional<Vec2> last() const;
+
+    /// The focus region's hull with few vertices, which spreads are measured on.
+    const Polygon2& hull() const { return mHull; }
+    Vec2 warp(const Vec2& spread) const;
+    Vec2 spread(const Vec2& warp) const;
+
+private:
+    /// One run of the simplex method, from a simplex of side `step`; counts evaluations down.
+    Vec2 simplexFrom(const Vec2& start, double step, int& evaluations);
+
+    const WarpContext& mContext;
+    Polygon2& mHull;
+    TexelExtent& mExtent;
+    double mUniform = 0.0;
+    SearchMemory mNow;
+    /// How much has changed since the last frame.
+    double mChange = 0.0;
+};
+
+} // namespace Lixel

@@ -1,0 +1,236 @@
+// The optimal warp, its measure and its search, against their definitions and brute force.
+#include "Problems.h"
+
+#include "fit/Fit.h"
+#include "fit/Optimal.h"
+#include "fit/Uniform.h"
+#include "fit/Warp.h"
+#include "fit/WarpSearch.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <numbers>
+
+using namespace Lixel;
+using namespace Lixel::Test;
+
+namespace {
+
+/// A convex hull of random points and a point in it.
+struct Region {
+    Polygon2 hull;
+    Vec2 centre;
+};
+
+Region randomRegion(Dice& dice) {
+    std::vector<Vec2> points;
+    for (std::size_t i = 3 + dice.below(10); i > 0; --i)
+        points.push_back(Vec2(dice.in(-3.0, 5.0), dice.in(-1.0, 1.0)));
+    Region region;
+    convexHull(points, region.hull);
+    region.centre = steinerPoint(region.hull);
+    return region;
+}
+
+/// Runs `look` on the context of a scene, and gives the fit with the warp that it returns.
+template <typename Look>
+ShadowFit withContext(const Scene& scene, FitState& state, const Look& look) {
+    return fitWithRule(scene.problem(), state, [&](const WarpContext& context) {
+        return WarpChoice{look(context), FitReason::None};
+    });
+}
+
+/// The expected extent, relative to a uniform map's, of the least warp on a fine polar grid.
+double bruteForce(WarpSearch& search) {
+    double least = 1.0;
+    constexpr int Turns = 90;
+    for (int i = 0; i < Turns; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / Turns;
+        for (double s = 0.05; s <= WarpSearch::GreatestSpread; s += 0.05)
+            least = std::min(least, search(s * Vec2(std::cos(angle), std::sin(angle))));
+    }
+    return least;
+}
+
+} // namespace
+
+RC_GTEST_PROP(WarpSearch, SpreadIsTheLogRatioOfDenominators, ()) {
+    Dice dice(*anySeed());
+    const Region region = randomRegion(dice);
+    const double angle = dice.in(0.0, 2.0 * std::numbers::pi);
+    const Vec2 spread = dice.in(0.01, 8.0) * Vec2(std::cos(angle), std::sin(angle));
+    const Vec2 warp = warpOfSpread(region.hull, region.centre, spread);
+    double least = 1e300;
+    double greatest = 0.0;
+    for (const Vec2& vertex : region.hull) {
+        const double denominator = 1.0 + warp.dot(vertex - region.centre);
+        least = std::min(least, denominator);
+        greatest = std::max(greatest, denominator);
+    }
+    RC_ASSERT(least > 0.0);
+    RC_ASSERT(std::abs(std::log(greatest / least) - spread.norm()) < 1e-8);
+    RC_ASSERT((spreadOfWarp(region.hull, region.centre, warp) - spread).norm() < 1e-8);
+}
+
+TEST(WarpSearch, NoSpreadIsNoWarpAndAPointHasNone) {
+    const Polygon2 point{Vec2(2.0, 3.0)};
+    EXPECT_EQ(warpOfSpread(point, point[0], Vec2(1.0, 1.0)), Vec2::Zero());
+    const Polygon2 triangle{Vec2(0.0, 0.0), Vec2(1.0, 0.0), Vec2(0.0, 1.0)};
+    EXPECT_EQ(warpOfSpread(triangle, Vec2(0.2, 0.2), Vec2::Zero()), Vec2::Zero());
+    EXPECT_EQ(spreadOfWarp(triangle, Vec2(0.2, 0.2), Vec2::Zero()), Vec2::Zero());
+}
+
+RC_GTEST_PROP(TexelExtent, IsTheMeanOfItsDefinition, ()) {
+    // sqrt(|d li / d texel| |d ndc / d texel|), by differences of the map's own formula.
+    Dice dice(*anySeed());
+    const Region region = randomRegion(dice);
+    RC_PRE(region.hull.size() > 2U);
+    const double angle = dice.in(0.0, 2.0 * std::numbers::pi);
+    const Vec2 warp = warpOfSpread(region.hull, region.centre,
+                                   dice.in(0.0, 3.0) * Vec2(std::cos(angle), std::sin(angle)));
+    std::vector<ViewSample> samples(5);
+    for (ViewSample& sample : samples) {
+        // Somewhere between a vertex and the centre.
+        const Vec2& vertex = region.hull[dice.below(region.hull.size())];
+        sample.liPoint = region.centre + dice.in(0.0, 1.0) * (vertex - region.centre);
+        for (double& entry : sample.liFromNdc.reshaped())
+            entry = dice.in(-1.0, 1.0);
+        RC_PRE(std::abs(sample.liFromNdc.determinant()) > 1e-3);
+    }
+    const auto warped = [&](const Vec2& li) {
+        const Vec2 q = li - region.centre;
+        return Vec2(q / (1.0 + warp.dot(q)));
+    };
+    Polygon2 hull;
+    for (const Vec2& vertex : region.hull)
+        hull.push_back(warped(vertex));
+    const OrientedRectangle map = smallestRectangle(hull);
+    RC_PRE(map.area() > 1e-9);
+    const auto texel = [&](const Vec2& li) {
+        const Vec2 p = warped(li);
+        const Vec2 u(std::cos(map.angle), std::sin(map.angle));
+        return Vec2(u.dot(p) / (map.max.x() - map.min.x()),
+                    cross(u, p) / (map.max.y() - map.min.y()));
+    };
+    double sum = 0.0;
+    for (const ViewSample& sample : samples) {
+        constexpr double Step = 1e-6;
+        Eigen::Matrix2d texelFromLi;
+        for (int axis = 0; axis < 2; ++axis) {
+            const Vec2 step = Step * Vec2::Unit(axis);
+            texelFromLi.col(axis) =
+                (texel(sample.liPoint + step) - texel(sample.liPoint - step)) / (2.0 * Step);
+        }
+        sum += std::sqrt(texelFromLi.inverse().norm() *
+                         (texelFromLi * sample.liFromNdc).inverse().norm());
+    }
+    TexelExtent extent;
+    extent.reset(samples, region.hull, region.centre);
+    RC_ASSERT(extent.hasSamples());
+    const double expected = sum / static_cast<double>(samples.size());
+    const double mean = extent(warp);
+    RC_LOG() << mean << " instead of " << expected << "\n";
+    // The map's rectangle is the same for all, so values agree but for rounding of differences.
+    RC_ASSERT(std::abs(mean - expected) < 1e-4 * expected);
+}
+
+RC_GTEST_PROP(Optimal, IsNeverExpectedToBeWorseThanUniform, ()) {
+    const Scene scene = *anyScene();
+    FitState state;
+    const ShadowFit fit = fitOptimal(scene.problem(), {}, state);
+    if (!fit.hasMap()) return;
+    FitState other;
+    (void)withContext(scene, other, [&](const WarpContext& context) {
+        WarpSearch search(context, 64);
+        if (search.usable()) {
+            const double cost = search(search.spread(fit.liWarp));
+            RC_LOG() << "expected extent " << cost << " of a uniform map's\n";
+            RC_ASSERT(cost <= 1.0 + 1e-9);
+        }
+        return Vec2(0.0, 0.0);
+    });
+}
+
+TEST(Optimal, FindsWhatBruteForceFinds) {
+    double sum = 0.0;
+    for (const double turn : {0.0, 0.5, 1.3, 2.2, 3.1}) {
+        for (const double elevation : {0.2, 0.7, 1.3}) {
+            Scene scene = outdoors();
+            scene.light.wsDirection =
+                Vec3(std::cos(elevation) * std::sin(turn), -std::sin(elevation),
+                     std::cos(elevation) * std::cos(turn));
+            FitState state;
+            FitState generous;
+            const ShadowFit fit = fitOptimal(scene.problem(), {}, state);
+            const ShadowFit best =
+                fitOptimal(scene.problem(), {.samples = 64, .evaluations = 400}, generous);
+            ASSERT_TRUE(fit.hasMap()) << fit.reason;
+            FitState other;
+            (void)withContext(scene, other, [&](const WarpContext& context) {
+                WarpSearch search(context, 64);
+                EXPECT_TRUE(search.usable());
+                const double least = bruteForce(search);
+                const double ratio = search(search.spread(fit.liWarp)) / least;
+                sum += std::log(ratio);
+                EXPECT_LT(ratio, 1.2) << turn << ", " << elevation;
+                EXPECT_LT(search(search.spread(best.liWarp)), 1.02 * least)
+                    << turn << ", " << elevation;
+                return Vec2(0.0, 0.0);
+            });
+        }
+    }
+    // A search with few evaluations misses narrow valleys, where the map's orientation changes.
+    EXPECT_LT(std::exp(sum / 15.0), 1.05);
+}
+
+TEST(Optimal, JudgesByTheApplicationsPointsWhereThereAreAny) {
+    // Points at the far end alone leave nothing to gain from favouring the near.
+    const Scene scene = outdoors();
+    FitState state;
+    const ShadowFit fit = fitOptimal(scene.problem(), {}, state);
+    std::vector<VisiblePoint> points;
+    for (int i = 0; i < 32; ++i)
+        points.push_back({Vec3(-4.0 + 0.25 * i, -2.0, -26.0), Vec3::UnitY()});
+    ShadowProblem problem = scene.problem();
+    problem.visiblePoints = points;
+    FitState other;
+    const ShadowFit far = fitOptimal(problem, {}, other);
+    ASSERT_TRUE(fit.hasMap());
+    ASSERT_TRUE(far.hasMap());
+    const Vec3 wsNear(0.0, -2.0, -5.0);
+    const Vec3 wsFar(0.0, -2.0, -26.0);
+    const auto denominators = [&](const ShadowFit& one) {
+        const double atNear = clipOf(one.clipFromWorld, wsNear).w();
+        const double atFar = clipOf(one.clipFromWorld, wsFar).w();
+        return atFar / atNear;
+    };
+    EXPECT_GT(denominators(fit), 2.0);
+    EXPECT_LT(denominators(far), 1.0);
+}
+
+TEST(Optimal, GarbageOptionsGiveAFiniteMap) {
+    for (const int samples : {-5, 0, 1, 1 << 30})
+        for (const int evaluations : {-5, 0, 1, 3, 9}) {
+            FitState state;
+            const ShadowFit fit = fitOptimal(outdoors().problem(), {samples, evaluations}, state);
+            ASSERT_TRUE(fit.hasMap()) << samples << ", " << evaluations;
+            ASSERT_TRUE(fit.clipFromWorld.allFinite());
+        }
+}
+
+TEST(Optimal, ACameraCutIsFollowedAtOnce) {
+    const Scene scene = outdoors();
+    Scene before = scene;
+    before.viewer.viewFromWorld = lookAlong(Vec3::Zero(), Vec3(0.3, -0.2, 1.0));
+    before.addBody({Vec3(2.0, -1.0, 9.0), Vec3(1.0, 1.0, 1.0)});
+    FitState fresh;
+    FitState used;
+    (void)fitOptimal(before.problem(), {}, used);
+    const ShadowFit a = fitOptimal(scene.problem(), {}, fresh);
+    const ShadowFit b = fitOptimal(scene.problem(), {}, used);
+    EXPECT_EQ(a.liWarp, b.liWarp);
+}
