@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/Types.h"
+#include "fit/SurfaceCloud.h"
 
 #include <limits>
 #include <span>
@@ -54,7 +54,9 @@ struct ShadowProblem {
     ShadowLight light;
     const BoxSet* casters = nullptr;
     const BoxSet* receivers = nullptr;
-    /** What the viewer sees of the receivers, if it is known better than from their boxes: points
+    /// Receivers whose surface is known better than from their boxes, by ascending `receiver`.
+    std::span<const KnownSurface> surfaces{};
+    /** What the viewer sees of the receivers, if it is known better than from all these: points
         spread evenly over the viewer's picture, such as a depth buffer read back. */
     std::span<const VisiblePoint> visiblePoints{};
     /// Size of the shadow map in texels.

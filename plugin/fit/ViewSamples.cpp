@@ -1,5 +1,7 @@
 #include "fit/ViewSamples.h"
 
+#include "fit/LowDiscrepancy.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -16,13 +18,6 @@ constexpr int Rows = 24;
 
 /// Least cosine between normal and light.
 constexpr double LeastFacing = 0.05;
-
-/// Position of a cell's ray within it, in (0, 1): the R2 low-discrepancy sequence (Roberts 2018),
-/// so that rays do not line up with rows of objects.
-Vec2 jitter(int index) {
-    const Vec2 t = Vec2(0.7548776662466927, 0.5698402909980532) * index;
-    return {t.x() - std::floor(t.x()), t.y() - std::floor(t.y())};
-}
 
 /// The range of cells, out of `count`, that the device coordinates lower to upper reach into.
 std::pair<int, int> cells(double lower, double upper, int count) {
@@ -62,14 +57,27 @@ void meet(const Box& box, ViewSampleScratch::Ray& ray) {
     ray.normal[axis] = ray.direction[axis] > 0.0 ? -1.0 : 1.0;
 }
 
-/// Traces view rays against the receivers' boxes.
-void traceBoxes(const ShadowProblem& problem, const Mat4& clipFromWorld,
-                ViewSampleScratch& scratch) {
+/// Shortens the ray to the disc if that is nearer, and seen from its front.
+void meet(const Surfel& disc, ViewSampleScratch::Ray& ray) {
+    const double towards = -ray.direction.dot(disc.normal);
+    if (!(towards > 0.0)) return;
+    const Vec3 away = ray.origin - disc.centre;
+    const double t = away.dot(disc.normal) / towards;
+    if (!(t >= 0.0) || !(t < ray.nearest)) return;
+    if ((away + t * ray.direction).squaredNorm() > disc.radius * disc.radius) return;
+    ray.nearest = t;
+    ray.normal = disc.normal;
+}
+
+/// One ray through each cell of the picture.
+void castRays(const Mat4& clipFromWorld, std::vector<ViewSampleScratch::Ray>& rays) {
     const Mat4 worldFromClip = clipFromWorld.inverse();
-    scratch.rays.clear();
+    rays.clear();
     for (int row = 0; row < Rows; ++row)
         for (int column = 0; column < Columns; ++column) {
-            const Vec2 cell = Vec2(column, row) + jitter(row * Columns + column);
+            // Off the middle, so that rays do not line up with rows of objects.
+            const Vec2 cell = Vec2(column, row) +
+                              lowDiscrepancy(static_cast<std::size_t>(row * Columns + column));
             const double x = 2.0 * cell.x() / Columns - 1.0;
             const double y = 2.0 * cell.y() / Rows - 1.0;
             const Vec4 nearPoint = worldFromClip * Vec4(x, y, -1.0, 1.0);
@@ -77,29 +85,73 @@ void traceBoxes(const ShadowProblem& problem, const Mat4& clipFromWorld,
             const Vec3 origin = nearPoint.head<3>() / nearPoint.w();
             // Also right where the far point is at infinity.
             const Vec3 direction = (farPoint.head<3>() - farPoint.w() * origin).stableNormalized();
-            scratch.rays.push_back({origin, direction, direction.cwiseInverse(),
-                                    std::numeric_limits<double>::infinity(), Vec3::Zero()});
+            rays.push_back({origin, direction, direction.cwiseInverse(),
+                            std::numeric_limits<double>::infinity(), Vec3::Zero()});
         }
+}
 
-    const Mat4 reach = clipFromWorld.cwiseAbs();
-    for (const Box& box : problem.receivers->boxes()) {
-        const Vec4 centre = clipFromWorld * box.centre.homogeneous();
-        const Vec4 half = reach.leftCols<3>() * box.halfExtents;
+/// The rays that may meet a body.
+class Reach {
+public:
+    explicit Reach(const Mat4& clipFromWorld)
+        : mClipFromWorld(clipFromWorld), mAbsolute(clipFromWorld.cwiseAbs()) {}
+
+    /// Calls `visit` with each ray through a cell that the box reaches into.
+    template <typename Visit>
+    void forEach(const Box& box, std::vector<ViewSampleScratch::Ray>& rays,
+                 const Visit& visit) const {
+        const Vec4 centre = mClipFromWorld * box.centre.homogeneous();
+        const Vec4 half = mAbsolute.leftCols<3>() * box.halfExtents;
         const double wLeast = centre.w() - half.w();
         const double wGreatest = centre.w() + half.w();
-        if (wGreatest <= 0.0) continue;
+        if (wGreatest <= 0.0) return;
         std::pair<int, int> across{0, Columns - 1};
         std::pair<int, int> up{0, Rows - 1};
         if (wLeast > 0.0) {
             const auto [left, right] = bounds(centre.x(), half.x(), wLeast, wGreatest);
             const auto [bottom, top] = bounds(centre.y(), half.y(), wLeast, wGreatest);
-            if (left > 1.0 || right < -1.0 || bottom > 1.0 || top < -1.0) continue;
+            if (left > 1.0 || right < -1.0 || bottom > 1.0 || top < -1.0) return;
             across = cells(left, right, Columns);
             up = cells(bottom, top, Rows);
         }
         for (int row = up.first; row <= up.second; ++row)
             for (int column = across.first; column <= across.second; ++column)
-                meet(box, scratch.rays[static_cast<std::size_t>(row * Columns + column)]);
+                visit(rays[static_cast<std::size_t>(row * Columns + column)]);
+    }
+
+private:
+    Mat4 mClipFromWorld;
+    Mat4 mAbsolute;
+};
+
+/// Traces view rays against the receivers: their known surfaces, and the boxes of all others.
+void traceReceivers(const ShadowProblem& problem, const Mat4& clipFromWorld,
+                    ViewSampleScratch& scratch) {
+    castRays(clipFromWorld, scratch.rays);
+    const Reach reach(clipFromWorld);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < problem.receivers->boxes().size(); ++i) {
+        if (next < problem.surfaces.size() && problem.surfaces[next].receiver == i) {
+            ++next;
+            continue;
+        }
+        const Box& box = problem.receivers->boxes()[i];
+        reach.forEach(box, scratch.rays, [&](ViewSampleScratch::Ray& ray) { meet(box, ray); });
+    }
+    for (const KnownSurface& surface : problem.surfaces) {
+        const Mat3 linear = surface.wsFromCloud.linear();
+        // Normals turn with the inverse transpose; discs are as large as the body's volume scales.
+        const Mat3 turn = linear.inverse().transpose();
+        const double scale = std::cbrt(std::abs(linear.determinant()));
+        for (const Surfel& own : surface.cloud->surfels) {
+            const Surfel disc{surface.wsFromCloud * own.centre,
+                              (turn * own.normal).stableNormalized(), scale * own.radius};
+            // Where a disc ends along an axis: its radius by the sine to its normal.
+            const Vec3 half =
+                disc.radius * (Vec3::Ones() - disc.normal.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+            reach.forEach({disc.centre, half}, scratch.rays,
+                          [&](ViewSampleScratch::Ray& ray) { meet(disc, ray); });
+        }
     }
 }
 
@@ -158,7 +210,7 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Foc
         for (const VisiblePoint& point : problem.visiblePoints)
             add(point.ws, point.wsNormal);
     } else {
-        traceBoxes(problem, clipFromWorld, scratch);
+        traceReceivers(problem, clipFromWorld, scratch);
         for (const ViewSampleScratch::Ray& ray : scratch.rays)
             if (std::isfinite(ray.nearest))
                 add(ray.origin + ray.nearest * ray.direction, ray.normal);

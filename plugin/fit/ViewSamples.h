@@ -28,9 +28,9 @@ struct ViewSampleScratch {
 /** Samples what the viewer sees of the receivers and the light shines on, within the focus region.
 
     The visible points are the problem's own where it has any; otherwise view rays, spread evenly
-    over the picture, meet the receivers' boxes; a box that a ray starts in is hit where the ray
-    leaves it. A sample must face the light, n . l >= 0.05, as pixels of which shadows are judged
-    do.
+    over the picture, meet the receivers: their known surfaces, or else their boxes. A box that a
+    ray starts in is hit where the ray leaves it. A sample must face the light, n . l >= 0.05, as
+   pixels of which shadows are judged do.
 
     @param most samples to keep, evenly out of those found
 */

@@ -1,8 +1,8 @@
 #include "common/Triangles.h"
 
-#include <Ogre.h>
+#include <Lixel/scene/Geometry.h>
 
-#include <cstring>
+#include <Ogre.h>
 
 namespace Lixel::Samples {
 namespace {
@@ -17,78 +17,6 @@ Eigen::Affine3d relativeTransform(const Ogre::Matrix4& wsFromObject,
         transform.translation()(row) = static_cast<double>(wsFromObject[row][3]) - origin(row);
     }
     return transform;
-}
-
-std::vector<Eigen::Vector3d> readPositions(const Ogre::VertexData& data) {
-    const Ogre::VertexElement* element =
-        data.vertexDeclaration->findElementBySemantic(Ogre::VES_POSITION);
-    if (!element ||
-        (element->getType() != Ogre::VET_FLOAT3 && element->getType() != Ogre::VET_FLOAT4))
-        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, "vertex positions must be 3 or 4 floats",
-                    "collectTriangles");
-    const Ogre::HardwareVertexBufferSharedPtr buffer =
-        data.vertexBufferBinding->getBuffer(element->getSource());
-    const std::size_t stride = buffer->getVertexSize();
-    // readData works for write-only buffers too: from their shadow copy, or through the driver.
-    std::vector<unsigned char> bytes(stride * data.vertexCount);
-    if (!bytes.empty()) buffer->readData(stride * data.vertexStart, bytes.size(), bytes.data());
-    std::vector<Eigen::Vector3d> positions(data.vertexCount);
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        float xyz[3];
-        std::memcpy(xyz, bytes.data() + i * stride + element->getOffset(), sizeof xyz);
-        positions[i] = Eigen::Vector3f(xyz[0], xyz[1], xyz[2]).cast<double>();
-    }
-    return positions;
-}
-
-template <typename Index>
-std::vector<std::uint32_t> readIndicesAs(const Ogre::IndexData& data) {
-    std::vector<Index> raw(data.indexCount);
-    if (!raw.empty())
-        data.indexBuffer->readData(data.indexStart * sizeof(Index), raw.size() * sizeof(Index),
-                                   raw.data());
-    return {raw.begin(), raw.end()};
-}
-
-/// The vertices in the order in which they are drawn.
-std::vector<std::uint32_t> drawOrder(const Ogre::RenderOperation& operation) {
-    if (operation.useIndexes) {
-        const Ogre::IndexData& data = *operation.indexData;
-        return data.indexBuffer->getType() == Ogre::HardwareIndexBuffer::IT_32BIT
-                   ? readIndicesAs<std::uint32_t>(data)
-                   : readIndicesAs<std::uint16_t>(data);
-    }
-    std::vector<std::uint32_t> order(operation.vertexData->vertexCount);
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = static_cast<std::uint32_t>(i);
-    return order;
-}
-
-using Corners = std::array<std::uint32_t, 3>;
-
-/// Splits a list, strip or fan into triangles of one winding; nothing for lines and points.
-std::vector<Corners> splitTriangles(const std::vector<std::uint32_t>& order,
-                                    Ogre::RenderOperation::OperationType type) {
-    std::vector<Corners> corners;
-    switch (type) {
-    case Ogre::RenderOperation::OT_TRIANGLE_LIST:
-        for (std::size_t i = 0; i + 2 < order.size(); i += 3)
-            corners.push_back({order[i], order[i + 1], order[i + 2]});
-        break;
-    case Ogre::RenderOperation::OT_TRIANGLE_STRIP:
-        for (std::size_t i = 0; i + 2 < order.size(); ++i) {
-            const std::size_t odd = i & 1U;
-            corners.push_back({order[i + odd], order[i + 1 - odd], order[i + 2]});
-        }
-        break;
-    case Ogre::RenderOperation::OT_TRIANGLE_FAN:
-        for (std::size_t i = 1; i + 1 < order.size(); ++i)
-            corners.push_back({order[0], order[i], order[i + 1]});
-        break;
-    default:
-        break;
-    }
-    return corners;
 }
 
 /// The pass that decides which sides are drawn; null for a material without any.
@@ -130,8 +58,7 @@ private:
         Ogre::RenderOperation operation;
         renderable.getRenderOperation(operation);
         if (!operation.vertexData || operation.vertexData->vertexCount == 0) return;
-        const std::vector<Corners> corners =
-            splitTriangles(drawOrder(operation), operation.operationType);
+        const std::vector<TriangleCorners> corners = readTriangles(operation);
         if (corners.empty()) return;
 
         Ogre::Matrix4 wsFromObject;
@@ -143,7 +70,7 @@ private:
 
         bool turned = mFlipMirrored && transform.linear().determinant() < 0.0;
         const Triangle flags = flagsOf(renderable.getMaterial(), turned);
-        for (Corners triangle : corners) {
+        for (TriangleCorners triangle : corners) {
             if (turned) std::swap(triangle[1], triangle[2]);
             for (std::uint32_t& vertex : triangle) {
                 if (vertex >= operation.vertexData->vertexCount)

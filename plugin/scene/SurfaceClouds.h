@@ -1,0 +1,41 @@
+#pragma once
+
+#include "fit/SurfaceCloud.h"
+
+#include <OgreResource.h>
+
+#include <map>
+
+namespace Ogre {
+class Entity;
+class Mesh;
+} // namespace Ogre
+
+namespace Lixel {
+
+/** The surfaces of meshes as few discs: read once from their buffers, and kept.
+
+    A mesh that is loaded anew is read anew. One whose buffers an application rewrites in place
+   keeps the discs of its first shape.
+*/
+class LIXEL_API SurfaceClouds {
+public:
+    /// Discs of each cloud: a wall of a room has a dozen and more.
+    static constexpr std::size_t Discs = 128;
+
+    /** The surface of an entity, in its own space.
+        @return null for what moves its vertices (skeletons, morphs, poses), and for meshes without
+        triangles that can be read. It holds until the next call after the mesh has gone. */
+    const SurfaceCloud* of(const Ogre::Entity& entity);
+
+private:
+    struct Entry {
+        std::size_t state = 0; ///< how often the mesh had been loaded
+        SurfaceCloud cloud;
+    };
+    void forgetDestroyed();
+
+    std::map<Ogre::ResourceHandle, Entry> mEntries;
+};
+
+} // namespace Lixel
