@@ -127,14 +127,14 @@ public:
                 mLargestClipped = size;
                 addClipped(box);
             } else {
-                mScratch.straddling.push_back(&box);
+                mScratch.straddling.push_back(box);
             }
             return;
         }
     }
     void addPutOff() {
-        for (const Box* box : mScratch.straddling)
-            if (!addsNothing(*box)) addClipped(*box);
+        for (const Box& box : mScratch.straddling)
+            if (!addsNothing(box)) addClipped(box);
     }
 
     const Vec2& lsRange() const { return mLsRange; }

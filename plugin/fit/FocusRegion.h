@@ -46,7 +46,7 @@ struct FocusScratch {
     ClipScratch clip;
     std::vector<Vec3> wsPoints;
     std::vector<Vec2> points;
-    std::vector<const Box*> straddling;
+    std::vector<Box> straddling;
     ImageHull receivers;
     ImageHull casters;
     Polygon2 caster;

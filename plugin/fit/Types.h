@@ -2,8 +2,11 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <ranges>
+#include <span>
 #include <vector>
 
 /// Symbols that libLixel exports.
@@ -28,11 +31,23 @@ struct Box {
     Bad input is counted instead of stored, so that whoever reads the set can say why there is
     no map: a box with a NaN is `invalid`, one with an infinite extent, or one beyond
     1e18, is `unbounded`.
+
+    Boxes are stored in blocks of eight, each number of them beside the same number of the next:
+    what asks all of them one question asks it in vector registers.
 */
 class BoxSet {
 public:
+    static constexpr std::size_t BlockSize = 8;
+    /// Eight boxes: one array of lanes for each axis. Lanes beyond the last box are zero.
+    struct Block {
+        using Lanes = std::array<double, BlockSize>;
+        std::array<Lanes, 3> centre;
+        std::array<Lanes, 3> halfExtents;
+    };
+
     void clear() {
-        mBoxes.clear();
+        mBlocks.clear();
+        mSize = 0;
         mUnbounded = 0;
         mInvalid = 0;
     }
@@ -43,21 +58,49 @@ public:
                  (box.centre.cwiseAbs() + box.halfExtents).maxCoeff() > GreatestExtent)
             ++mUnbounded;
         else
-            mBoxes.push_back(box);
+            store(box);
     }
     /// Counts a body that has no bounds: it may be anywhere.
     void addUnbounded() { ++mUnbounded; }
 
-    const std::vector<Box>& boxes() const { return mBoxes; }
+    /// How many boxes are stored.
+    std::size_t size() const { return mSize; }
+    /// The box of that index, below size().
+    Box box(std::size_t index) const {
+        const Block& block = mBlocks[index / BlockSize];
+        const std::size_t lane = index % BlockSize;
+        return {
+            {block.centre[0][lane], block.centre[1][lane], block.centre[2][lane]},
+            {block.halfExtents[0][lane], block.halfExtents[1][lane], block.halfExtents[2][lane]}};
+    }
+    /// All boxes in turn, by value.
+    auto boxes() const {
+        return std::views::iota(std::size_t{0}, mSize) |
+               std::views::transform([this](std::size_t index) { return box(index); });
+    }
+    /// The same in blocks; the last one's lanes from size() on are not boxes.
+    std::span<const Block> blocks() const { return mBlocks; }
+
     std::size_t unbounded() const { return mUnbounded; }
     std::size_t invalid() const { return mInvalid; }
-    bool empty() const { return mBoxes.empty() && mUnbounded == 0; }
+    bool empty() const { return mSize == 0 && mUnbounded == 0; }
 
 private:
     /// Beyond it a float's square overflows, and matrices with it: such a box has no bounds.
     static constexpr double GreatestExtent = 1e18;
 
-    std::vector<Box> mBoxes;
+    void store(const Box& box) {
+        const std::size_t lane = mSize++ % BlockSize;
+        if (lane == 0) mBlocks.push_back({});
+        Block& block = mBlocks.back();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            block.centre[axis][lane] = box.centre[static_cast<Eigen::Index>(axis)];
+            block.halfExtents[axis][lane] = box.halfExtents[static_cast<Eigen::Index>(axis)];
+        }
+    }
+
+    std::vector<Block> mBlocks;
+    std::size_t mSize = 0;
     std::size_t mUnbounded = 0;
     std::size_t mInvalid = 0;
 };

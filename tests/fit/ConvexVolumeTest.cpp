@@ -178,8 +178,10 @@ RC_GTEST_PROP(ClipBox, AgreesWithPointsOfTheBox, ()) {
     const Scene scene = *anyScene();
     Dice dice = anyDice();
     const ConvexVolume volume = viewVolume(scene.viewer);
-    std::vector<Box> boxes = scene.receivers.boxes();
-    boxes.insert(boxes.end(), scene.casters.boxes().begin(), scene.casters.boxes().end());
+    std::vector<Box> boxes;
+    for (const BoxSet* set : {&scene.receivers, &scene.casters})
+        for (const Box& box : set->boxes())
+            boxes.push_back(box);
     for (const Box& box : boxes) {
         const std::vector<Vec3> points = clipped(box, volume);
         const double extent = box.centre.norm() + box.halfExtents.norm() + scene.size;

@@ -115,9 +115,9 @@ std::vector<Vec3> visiblePoints(const Scene& scene, Dice& dice, std::size_t rays
 
 std::vector<ShadowedPoint> shadowedPoints(const Scene& scene, Dice& dice, std::size_t rays) {
     std::vector<Vec3> points = visiblePoints(scene, dice, rays);
-    const std::vector<Box>& casters = scene.casters.boxes();
-    for (std::size_t i = 0; i < rays && !casters.empty(); ++i) {
-        const Vec3 through = pointOf(casters[dice.below(casters.size())], dice);
+    const BoxSet& casters = scene.casters;
+    for (std::size_t i = 0; i < rays && casters.size() > 0; ++i) {
+        const Vec3 through = pointOf(casters.box(dice.below(casters.size())), dice);
         appendHits(scene.receivers, through, -towardsLight(scene.light, through), points);
     }
     std::vector<ShadowedPoint> result;

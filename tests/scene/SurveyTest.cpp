@@ -218,9 +218,9 @@ TEST_P(SurveyTest, FindsManualObjects) {
     mRootNode->createChildSceneNode(Vector3(0, 1, 0))->attachObject(triangle);
     EXPECT_TRUE(casts(*triangle));
     EXPECT_TRUE(receives(*triangle));
-    ASSERT_EQ(mSurvey.casters().boxes().size(), 1U);
-    EXPECT_TRUE(mSurvey.casters().boxes()[0].centre.isApprox(Vec3(0, 2, -11)));
-    EXPECT_TRUE(mSurvey.casters().boxes()[0].halfExtents.isApprox(Vec3(1, 1, 1)));
+    ASSERT_EQ(mSurvey.casters().size(), 1U);
+    EXPECT_TRUE(mSurvey.casters().box(0).centre.isApprox(Vec3(0, 2, -11)));
+    EXPECT_TRUE(mSurvey.casters().box(0).halfExtents.isApprox(Vec3(1, 1, 1)));
 }
 
 /// What applications derive themselves, without a factory: terrain tiles, for instance.
@@ -254,8 +254,8 @@ TEST_P(SurveyTest, FindsStaticGeometry) {
     mRootNode->removeChild(cube->getParentSceneNode());
     geometry->build();
     takeSurvey();
-    ASSERT_GE(mSurvey.casters().boxes().size(), 1U);
-    EXPECT_EQ(mSurvey.receivers().boxes().size(), mSurvey.casters().boxes().size());
+    ASSERT_GE(mSurvey.casters().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().size(), mSurvey.casters().size());
     Ogre::AxisAlignedBox all;
     for (const Box& box : mSurvey.casters().boxes())
         all.merge(worldBox(box, mSurvey.wsOrigin()));
@@ -280,11 +280,11 @@ TEST_P(SurveyTest, FindsHardwareInstances) {
     instances->_updateDirtyBatches();
     takeSurvey();
     // The batch, which draws them, and not each instance.
-    ASSERT_EQ(mSurvey.casters().boxes().size(), 1U);
-    const Ogre::AxisAlignedBox batch = worldBox(mSurvey.casters().boxes()[0], mSurvey.wsOrigin());
+    ASSERT_EQ(mSurvey.casters().size(), 1U);
+    const Ogre::AxisAlignedBox batch = worldBox(mSurvey.casters().box(0), mSurvey.wsOrigin());
     EXPECT_TRUE(batch.contains(Ogre::AxisAlignedBox(-3.5f, -0.5f, -10.5f, 3.5f, 0.5f, -9.5f)))
         << batch;
-    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().size(), 1U);
     instances->setSetting(Ogre::InstanceManager::CAST_SHADOWS, false);
     takeSurvey();
     EXPECT_TRUE(mSurvey.casters().empty());
@@ -325,8 +325,8 @@ INSTANTIATE_TEST_SUITE_P(SceneManager, SkeletonSurveyTest,
 TEST_P(SkeletonSurveyTest, CountsObjectsOnBonesIntoTheirEntitysBox) {
     addArmed(false);
     takeSurvey();
-    ASSERT_EQ(mSurvey.casters().boxes().size(), 1U);
-    const Ogre::AxisAlignedBox box = worldBox(mSurvey.casters().boxes()[0], mSurvey.wsOrigin());
+    ASSERT_EQ(mSurvey.casters().size(), 1U);
+    const Ogre::AxisAlignedBox box = worldBox(mSurvey.casters().box(0), mSurvey.wsOrigin());
     EXPECT_TRUE(box.contains(Ogre::AxisAlignedBox(-0.5f, -0.5f, -10.5f, 2.5f, 0.5f, -9.5f))) << box;
     EXPECT_TRUE(mSurvey.receivers().empty());
 }
@@ -334,13 +334,13 @@ TEST_P(SkeletonSurveyTest, CountsObjectsOnBonesIntoTheirEntitysBox) {
 TEST_P(SkeletonSurveyTest, ReceivesWhereAnObjectOnABoneDoes) {
     addArmed(true);
     takeSurvey();
-    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().size(), 1U);
     mManager->setShadowTextureSelfShadow(false);
     takeSurvey();
     EXPECT_TRUE(mSurvey.receivers().empty());
     mArm->setCastShadows(false);
     takeSurvey();
-    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().size(), 1U);
     mArm->setVisible(false);
     takeSurvey();
     EXPECT_TRUE(mSurvey.receivers().empty());
@@ -356,12 +356,12 @@ TEST_P(SurveyTest, ComposesNestedTransforms) {
     Ogre::Entity* cube = addCube(Vector3(3, 0, 0), 0.5f, true, scaled);
     takeSurvey();
     // x turned onto -z and doubled.
-    ASSERT_EQ(mSurvey.casters().boxes().size(), 1U);
-    EXPECT_TRUE(mSurvey.casters().boxes()[0].centre.isApprox(Vec3(0, 1, -26), 1e-6));
-    EXPECT_TRUE(mSurvey.casters().boxes()[0].halfExtents.isApprox(Vec3::Ones(), 1e-6));
+    ASSERT_EQ(mSurvey.casters().size(), 1U);
+    EXPECT_TRUE(mSurvey.casters().box(0).centre.isApprox(Vec3(0, 1, -26), 1e-6));
+    EXPECT_TRUE(mSurvey.casters().box(0).halfExtents.isApprox(Vec3::Ones(), 1e-6));
     turned->setPosition(0, 0, -10);
     EXPECT_TRUE(casts(*cube));
-    EXPECT_TRUE(mSurvey.casters().boxes()[0].centre.isApprox(Vec3(0, 1, -16), 1e-6));
+    EXPECT_TRUE(mSurvey.casters().box(0).centre.isApprox(Vec3(0, 1, -16), 1e-6));
 }
 
 TEST_P(SurveyTest, KeepsExtentsPositiveUnderMirrors) {
@@ -369,7 +369,7 @@ TEST_P(SurveyTest, KeepsExtentsPositiveUnderMirrors) {
     cube->getParentSceneNode()->setScale(-2, 3, -1);
     EXPECT_TRUE(casts(*cube));
     EXPECT_TRUE(receives(*cube));
-    EXPECT_TRUE(mSurvey.casters().boxes().at(0).halfExtents.isApprox(Vec3(1, 1.5, 0.5)));
+    EXPECT_TRUE(mSurvey.casters().box(0).halfExtents.isApprox(Vec3(1, 1.5, 0.5)));
     EXPECT_EQ(mSurvey.casters().invalid(), 0U);
 }
 
@@ -380,14 +380,14 @@ TEST_P(SurveyTest, IsExactFarFromTheWorldsOrigin) {
     addCube(far + Vector3(3, 0.375f, -10.25f));
     takeSurvey();
     EXPECT_EQ(mSurvey.wsOrigin(), toDouble(far) + Vec3(0.125, 0, 0));
-    ASSERT_EQ(mSurvey.casters().boxes().size(), 1U);
-    const Box& box = mSurvey.casters().boxes()[0];
+    ASSERT_EQ(mSurvey.casters().size(), 1U);
+    const Box& box = mSurvey.casters().box(0);
     EXPECT_EQ(box.centre.x(), 2.875);
     EXPECT_EQ(box.centre.z(), -10.25);
     EXPECT_EQ(box.halfExtents.x(), 0.5);
     // The ends of the box round to even there: 0.375 ± 0.5 are both between two floats.
     EXPECT_NEAR(box.centre.y(), 0.375, 0.0625);
-    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().size(), 1U);
 }
 
 TEST_P(SurveyTest, IsRelativeToAMirroredViewersEye) {
@@ -396,8 +396,8 @@ TEST_P(SurveyTest, IsRelativeToAMirroredViewersEye) {
     mCamera->enableReflection(Ogre::Plane(Vector3::UNIT_Y, 0));
     takeSurvey();
     EXPECT_TRUE(mSurvey.wsOrigin().isApprox(Vec3(1, -3, 2), 1e-6));
-    EXPECT_TRUE(mSurvey.casters().boxes().at(0).centre.isApprox(Vec3(-1, 1, -12), 1e-6));
-    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
+    EXPECT_TRUE(mSurvey.casters().box(0).centre.isApprox(Vec3(-1, 1, -12), 1e-6));
+    EXPECT_EQ(mSurvey.receivers().size(), 1U);
     mCamera->disableReflection();
 }
 
@@ -418,7 +418,7 @@ TEST_P(SurveyTest, IsTakenAgainFromNothing) {
     Ogre::Entity* cube = addInView();
     takeSurvey();
     takeSurvey();
-    EXPECT_EQ(mSurvey.casters().boxes().size(), 1U);
+    EXPECT_EQ(mSurvey.casters().size(), 1U);
     EXPECT_EQ(mSurvey.objectCount(), 1U);
     mManager->destroyEntity(cube);
     takeSurvey();
