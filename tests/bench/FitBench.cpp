@@ -1,0 +1,134 @@
+// lixel-bench-fit: CPU time of the fits alone, by the number of boxes.
+//
+//     lixel-bench-fit [--benchmark_filter=REGEX] [other options of Google Benchmark]
+//
+// A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
+// viewer turns a little from one fit to the next, as it does from frame to frame.
+#include "fit/Uniform.h"
+#include "fit/Xpsm.h"
+
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <numbers>
+#include <random>
+
+namespace Lixel::Bench {
+namespace {
+
+constexpr double Degree = std::numbers::pi / 180.0;
+
+/// A new technique adds one line here.
+struct Technique {
+    const char* name;
+    ShadowFit (*fit)(const ShadowProblem&, FitState&);
+};
+constexpr std::array<Technique, 2> Techniques = {{
+    {"Uniform", [](const ShadowProblem& p, FitState& s) { return fitUniform(p, s); }},
+    {"Xpsm", [](const ShadowProblem& p, FitState& s) { return fitXpsm(p, XpsmOptions{}, s); }},
+}};
+
+struct Light {
+    const char* name;
+    LightKind kind;
+};
+constexpr std::array<Light, 2> Lights = {
+    {{"directional", LightKind::Directional}, {"spot", LightKind::Spot}}};
+
+constexpr std::array<int, 4> Sizes = {10, 100, 1000, 10000};
+
+/// OpenGL's perspective projection of 60° and 16 : 9.
+Mat4 projection() {
+    constexpr double Near = 0.1;
+    constexpr double Far = 2000.0;
+    const double focal = 1.0 / std::tan(30.0 * Degree);
+    Mat4 m = Mat4::Zero();
+    m(0, 0) = focal * 9.0 / 16.0;
+    m(1, 1) = focal;
+    m(2, 2) = -(Far + Near) / (Far - Near);
+    m(2, 3) = -2.0 * Far * Near / (Far - Near);
+    m(3, 2) = -1.0;
+    return m;
+}
+
+/// The field, relative to a viewer 5 units above the middle of its ground.
+class Field {
+public:
+    Field(LightKind kind, int objects) {
+        constexpr double Eye = 5.0;
+        const double reach = 10.0 * std::sqrt(objects);
+        std::mt19937 engine(1);
+        std::uniform_real_distribution<double> place(-reach / 2.0, reach / 2.0);
+        std::uniform_real_distribution<double> size(0.5, 6.0);
+        mBodies.add({Vec3(0.0, -0.5 - Eye, 0.0), Vec3(reach, 1.0, reach) / 2.0});
+        for (int i = 1; i < objects; ++i) {
+            const Vec3 sides(size(engine), size(engine), size(engine));
+            mBodies.add({Vec3(place(engine), sides.y() / 2.0 - Eye, place(engine)), sides / 2.0});
+        }
+        problem.viewer.clipFromView = projection();
+        problem.viewer.shadowDistance = 300.0;
+        problem.light.kind = kind;
+        problem.light.wsDirection = Vec3(1.0, -1.0, 0.3);
+        // A lamp post that lights some hundred boxes around and ahead of the viewer.
+        if (kind == LightKind::Spot) {
+            problem.light.wsPosition = Vec3(-30.0, 35.0, -10.0);
+            problem.light.outerHalfAngle = 40.0 * Degree;
+            problem.light.range = 200.0;
+        }
+        problem.casters = &mBodies;
+        problem.receivers = &mBodies;
+    }
+    Field(const Field&) = delete;
+    Field& operator=(const Field&) = delete;
+
+    /// Turns the viewer to where it looks in that frame: to and fro over 20°.
+    void setFrame(int frame) {
+        const double heading = 0.2 * std::abs(frame % 200 - 100) * Degree;
+        problem.viewer.viewFromWorld.topLeftCorner<3, 3>() =
+            Eigen::AngleAxisd(-heading, Vec3::UnitY()).toRotationMatrix();
+    }
+
+    ShadowProblem problem;
+
+private:
+    BoxSet mBodies;
+};
+
+void measure(benchmark::State& state, const Technique& technique, LightKind kind, int objects) {
+    Field field(kind, objects);
+    FitState memory;
+    int frame = 0;
+    for (auto _ : state) {
+        field.setFrame(frame++);
+        const ShadowFit fit = technique.fit(field.problem, memory);
+        if (!fit.hasMap()) {
+            state.SkipWithError(toString(fit.reason));
+            break;
+        }
+        benchmark::DoNotOptimize(fit);
+    }
+}
+
+} // namespace
+} // namespace Lixel::Bench
+
+int main(int argc, char** argv) {
+    using namespace Lixel::Bench;
+    for (const Technique& technique : Techniques)
+        for (const Light& light : Lights)
+            for (const int objects : Sizes) {
+                const std::string name =
+                    std::string(technique.name) + "/" + light.name + "/" + std::to_string(objects);
+                benchmark::RegisterBenchmark(name.c_str(), [&technique, light,
+                                                            objects](auto& state) {
+                    measure(state, technique, light.kind, objects);
+                })->Unit(benchmark::kMicrosecond);
+            }
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}
