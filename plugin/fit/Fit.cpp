@@ -165,25 +165,28 @@ Mat3 homography(const Placement& placement, const Vec2& warp, const Vec2& centre
 void growByBorder(const Placement& placement, const Vec2& warp, const Vec2& centre, FitState& state,
                   Polygon2& grown) {
     const Vec2 u(std::cos(placement.rectangle.angle), std::sin(placement.rectangle.angle));
-    const Vec2 v(-u.y(), u.x());
     // -1 to 1 is the map's size in texels.
     const double bx = 2.0 * placement.border.x() / placement.size.x() / placement.scale(0);
     const double by = 2.0 * placement.border.y() / placement.size.y() / placement.scale(1);
-    // 1 - w . p is one over the denominator. A few texels beyond the far end it may reach the
-    // horizon; half the hull's own least value keeps the polygon finite, and still contains it.
+    sumWithRectangle(state.warped, u, Vec2(bx, by), grown);
+    // 1 - w . p is one over the denominator. Where that stays well above 0, what is convex stays
+    // so, and its vertices remain its vertices.
     double horizon = 1.0;
     for (const Vec2& p : state.warped)
         horizon = std::min(horizon, 1.0 - warp.dot(p));
+    const double least = 0.5 * horizon;
+    bool beyondHorizon = false;
+    for (Vec2& p : grown) {
+        const double unwarped = 1.0 - warp.dot(p);
+        beyondHorizon = beyondHorizon || unwarped < least;
+        p = centre + p / std::max(unwarped, least);
+    }
+    if (!beyondHorizon) return;
+    // A few texels beyond the far end it may reach the horizon; half the hull's own least value
+    // keeps the polygon finite. A corner held back is not on its own ray any more, so that the hull
+    // itself belongs to the result as it is.
     std::vector<Vec2>& points = state.scratch.points;
-    points.clear();
-    for (const Vec2& p : state.warped)
-        for (const double sx : {-bx, bx})
-            for (const double sy : {-by, by}) {
-                const Vec2 moved = p + sx * u + sy * v;
-                points.push_back(centre + moved / std::max(1.0 - warp.dot(moved), 0.5 * horizon));
-            }
-    // A corner held back from the horizon is not on its own ray any more: the hull itself belongs
-    // to the result as it is.
+    points.assign(grown.begin(), grown.end());
     points.insert(points.end(), state.region.liHull.begin(), state.region.liHull.end());
     convexHull(points, grown);
 }
@@ -201,7 +204,7 @@ Vec2 depthRow(bool directional, double lsNear, double lsFar, double leastDenomin
 } // namespace
 
 ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
-                      const std::function<WarpChoice(const WarpContext&)>& rule) noexcept {
+                      const WarpRule& rule) noexcept {
     ShadowFit fit;
     const auto stop = [&](FitReason reason) {
         fit.reason = reason;

@@ -2,7 +2,8 @@
 
 #include "fit/FitState.h"
 
-#include <functional>
+#include <concepts>
+#include <memory>
 
 /** The one fit that every technique shares.
 
@@ -33,8 +34,22 @@ struct WarpChoice {
     FitReason reason = FitReason::None;
 };
 
+/// A technique's rule, as a reference to a function object that outlives the call it is passed to.
+class WarpRule {
+public:
+    template <std::invocable<const WarpContext&> Function>
+    WarpRule(const Function& function) // NOLINT: converts, so that a lambda can be passed
+        : mFunction(std::addressof(function)), mCall([](const void* object, const WarpContext& c) {
+              return WarpChoice((*static_cast<const Function*>(object))(c));
+          }) {}
+    WarpChoice operator()(const WarpContext& context) const { return mCall(mFunction, context); }
+
+private:
+    const void* mFunction;
+    WarpChoice (*mCall)(const void*, const WarpContext&);
+};
+
 /// Runs the shared fit around a rule. Never throws; bad input gives a fit without a map.
-ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
-                      const std::function<WarpChoice(const WarpContext&)>& rule) noexcept;
+ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state, const WarpRule& rule) noexcept;
 
 } // namespace Lixel

@@ -1,6 +1,7 @@
 #include "fit/Polygon2.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 
@@ -8,35 +9,27 @@ namespace Lixel {
 namespace {
 
 constexpr double HalfPi = std::numbers::pi / 2.0;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-double largestCoordinate(const Polygon2& polygon) {
-    double size = 0.0;
-    for (const Vec2& p : polygon)
-        size = std::max(size, p.cwiseAbs().maxCoeff());
-    return size;
-}
-
-/// Keeps of `polygon` what lies to the left of the line through `origin` along `edge`, or within
-/// `slack` of it.
-void clipLeftOf(const Polygon2& polygon, const Vec2& origin, const Vec2& edge, double slack,
-                Polygon2& result) {
-    result.clear();
-    const double length = edge.norm();
-    if (length == 0.0) {
-        result = polygon;
-        return;
+/// The polygon's bounds along a unit vector and its left-hand normal; the angle is left at 0.
+OrientedRectangle boundsAlong(std::span<const Vec2> polygon, const Vec2& axis) {
+    OrientedRectangle r;
+    if (polygon.empty()) return r;
+    double lowerX = Infinity;
+    double lowerY = Infinity;
+    double upperX = -Infinity;
+    double upperY = -Infinity;
+    for (const Vec2& q : polygon) {
+        const double x = axis.x() * q.x() + axis.y() * q.y();
+        const double y = axis.x() * q.y() - axis.y() * q.x();
+        lowerX = std::min(lowerX, x);
+        lowerY = std::min(lowerY, y);
+        upperX = std::max(upperX, x);
+        upperY = std::max(upperY, y);
     }
-    const auto side = [&](const Vec2& p) { return cross(edge, p - origin) / length + slack; };
-    const std::size_t n = polygon.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec2& a = polygon[i];
-        const Vec2& b = polygon[(i + 1) % n];
-        const double sa = side(a);
-        const double sb = side(b);
-        if (sa >= 0.0) result.push_back(a);
-        if ((sa > 0.0 && sb < 0.0) || (sa < 0.0 && sb > 0.0))
-            result.push_back(a + (b - a) * (sa / (sa - sb)));
-    }
+    r.min = {lowerX, lowerY};
+    r.max = {upperX, upperY};
+    return r;
 }
 
 /// Drops vertices that lie on the line through their neighbours, within rounding, or left of it.
@@ -84,15 +77,47 @@ void convexHull(std::vector<Vec2>& points, Polygon2& hull) {
     hull.pop_back();
 }
 
+double largestCoordinate(std::span<const Vec2> polygon) {
+    double size = 0.0;
+    for (const Vec2& p : polygon)
+        size = std::max(size, p.cwiseAbs().maxCoeff());
+    return size;
+}
+
+void clipLeftOf(std::span<const Vec2> polygon, const Vec2& from, const Vec2& to, double slack,
+                Polygon2& result) {
+    result.clear();
+    const std::size_t n = polygon.size();
+    const Vec2 edge = to - from;
+    const double length = edge.norm();
+    if (length == 0.0) {
+        result.assign(polygon.begin(), polygon.end());
+        return;
+    }
+    if (n == 0) return;
+    const Vec2 along = edge / length;
+    const auto side = [&](const Vec2& p) { return cross(along, p - from) + slack; };
+    const double first = side(polygon[0]);
+    double sa = first;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool last = i + 1 == n;
+        const Vec2& a = polygon[i];
+        const Vec2& b = polygon[last ? 0 : i + 1];
+        const double sb = last ? first : side(b);
+        if (sa >= 0.0) result.push_back(a);
+        if ((sa > 0.0 && sb < 0.0) || (sa < 0.0 && sb > 0.0))
+            result.push_back(a + (b - a) * (sa / (sa - sb)));
+        sa = sb;
+    }
+}
+
 void intersect(const Polygon2& a, const Polygon2& b, Polygon2& result, Polygon2& scratch) {
     result = a;
     if (a.empty() || b.empty()) {
         result.clear();
         return;
     }
-    // Rounding of the vertices: a few units in the last place of the largest coordinate.
-    const double slack = 16.0 * std::numeric_limits<double>::epsilon() *
-                         std::max(largestCoordinate(a), largestCoordinate(b));
+    const double slack = clipSlack(std::max(largestCoordinate(a), largestCoordinate(b)));
     if (b.size() == 1) {
         // A point has no edges to clip by: it is clipped by the other instead.
         if (a.size() > 1) return intersect(b, a, result, scratch);
@@ -100,17 +125,58 @@ void intersect(const Polygon2& a, const Polygon2& b, Polygon2& result, Polygon2&
         return;
     }
     for (std::size_t i = 0; i < b.size() && !result.empty(); ++i) {
-        clipLeftOf(result, b[i], b[(i + 1) % b.size()] - b[i], slack, scratch);
+        clipLeftOf(result, b[i], b[i + 1 < b.size() ? i + 1 : 0], slack, scratch);
         result.swap(scratch);
     }
     if (b.size() == 2) {
         // Both half planes of a segment's line were applied above; its two ends remain.
         const Vec2 along = b[1] - b[0];
         const Vec2 across(-along.y(), along.x());
-        clipLeftOf(result, b[0], -across, slack, scratch);
+        clipLeftOf(result, b[0], b[0] - across, slack, scratch);
         result.swap(scratch);
-        clipLeftOf(result, b[1], across, slack, scratch);
+        clipLeftOf(result, b[1], b[1] + across, slack, scratch);
         result.swap(scratch);
+    }
+}
+
+void sumWithRectangle(std::span<const Vec2> polygon, const Vec2& axis, const Vec2& halfSides,
+                      Polygon2& sum) {
+    sum.clear();
+    const std::size_t n = polygon.size();
+    const Vec2 x = halfSides.x() * axis;
+    const Vec2 y = halfSides.y() * Vec2(-axis.y(), axis.x());
+    // Counter-clockwise; each is farthest along the normals of one quarter.
+    const std::array<Vec2, 4> corners = {x + y, y - x, -x - y, x - y};
+    // The edge that ends at this vertex, none of length zero.
+    Vec2 in = Vec2::Zero();
+    for (std::size_t i = n; i-- > 0 && in.isZero(0.0);)
+        in = polygon[0] - polygon[i];
+    if (in.isZero(0.0)) {
+        for (std::size_t i = 0; i < 4 && n > 0; ++i)
+            sum.push_back(polygon[0] + corners[i]);
+        return;
+    }
+    // The quarter that the outward normal of an edge points into.
+    const auto quarter = [&](const Vec2& edge) -> std::size_t {
+        const double normalX = cross(axis, edge);
+        const double normalY = -axis.dot(edge);
+        if (normalX > 0.0 && normalY >= 0.0) return 0;
+        if (normalX <= 0.0 && normalY > 0.0) return 1;
+        return normalX < 0.0 ? 2 : 3;
+    };
+    std::size_t from = quarter(in);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 out = polygon[i + 1 < n ? i + 1 : 0] - polygon[i];
+        if (out.isZero(0.0)) continue; // a repeated vertex: its last instance counts
+        const std::size_t to = quarter(out);
+        // Three quarters are more than a vertex turns. By rounding it is a turn back, or, at the
+        // end of a sliver, half a turn.
+        std::size_t steps = (to - from) % 4;
+        if (steps == 3 && in.dot(out) > 0.0) steps = 0;
+        for (std::size_t step = 0; step <= steps; ++step)
+            sum.push_back(polygon[i] + corners[(from + step) % 4]);
+        from = to;
+        in = out;
     }
 }
 
@@ -136,7 +202,7 @@ Vec2 steinerPoint(std::span<const Vec2> polygon) {
 }
 
 double support(std::span<const Vec2> polygon, const Vec2& d) {
-    double result = -std::numeric_limits<double>::infinity();
+    double result = -Infinity;
     for (const Vec2& q : polygon)
         result = std::max(result, d.dot(q));
     return result;
@@ -147,7 +213,7 @@ void simplifyOutward(Polygon2& polygon, std::size_t maxVertices) {
     dropFlatVertices(polygon);
     while (polygon.size() > std::max<std::size_t>(maxVertices, 4)) {
         const std::size_t n = polygon.size();
-        double leastArea = std::numeric_limits<double>::infinity();
+        double leastArea = Infinity;
         std::size_t drop = n;
         Vec2 corner = Vec2::Zero();
         for (std::size_t i = 0; i < n; ++i) {
@@ -174,39 +240,39 @@ void simplifyOutward(Polygon2& polygon, std::size_t maxVertices) {
 }
 
 OrientedRectangle boundsAt(std::span<const Vec2> polygon, double angle) {
-    OrientedRectangle r;
+    OrientedRectangle r = boundsAlong(polygon, Vec2(std::cos(angle), std::sin(angle)));
     r.angle = angle;
-    const Vec2 u(std::cos(angle), std::sin(angle));
-    const Vec2 v(-u.y(), u.x());
-    r.min.setConstant(std::numeric_limits<double>::infinity());
-    r.max = -r.min;
-    for (const Vec2& q : polygon) {
-        const Vec2 p(u.dot(q), v.dot(q));
-        r.min = r.min.cwiseMin(p);
-        r.max = r.max.cwiseMax(p);
-    }
-    if (polygon.empty()) r.min = r.max = Vec2::Zero();
     return r;
 }
 
 OrientedRectangle smallestRectangle(std::span<const Vec2> polygon) {
-    OrientedRectangle best = boundsAt(polygon, 0.0);
-    if (polygon.size() < 2) return best;
-    double leastArea = std::numeric_limits<double>::infinity();
-    double leastPerimeter = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-        if (edge.squaredNorm() == 0.0) continue;
-        double angle = std::fmod(std::atan2(edge.y(), edge.x()) + 4.0 * HalfPi, HalfPi);
-        const OrientedRectangle r = boundsAt(polygon, angle);
+    const std::size_t n = polygon.size();
+    OrientedRectangle best = boundsAlong(polygon, Vec2::UnitX());
+    if (n < 2) return best;
+    double leastArea = Infinity;
+    double leastPerimeter = Infinity;
+    Vec2 bestAxis = Vec2::UnitX();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 edge = polygon[i + 1 < n ? i + 1 : 0] - polygon[i];
+        const double length = edge.norm();
+        if (length == 0.0) continue;
+        // Turned by right angles to where both coordinates are positive, the first not zero.
+        Vec2 axis = edge / length;
+        if (axis.x() < 0.0 || (axis.x() == 0.0 && axis.y() < 0.0)) axis = -axis;
+        if (axis.y() < 0.0 || axis.x() == 0.0) axis = Vec2(std::abs(axis.y()), axis.x());
+        const OrientedRectangle r = boundsAlong(polygon, axis);
+        const double area = r.area();
         const double perimeter = (r.max - r.min).sum();
         // A polygon without area makes many rectangles of area 0: the shortest is the one wanted.
-        if (r.area() < leastArea || (r.area() == leastArea && perimeter < leastPerimeter)) {
-            leastArea = r.area();
+        if (area < leastArea || (area == leastArea && perimeter < leastPerimeter)) {
+            leastArea = area;
             leastPerimeter = perimeter;
             best = r;
+            bestAxis = axis;
         }
     }
+    // An axis that is next to the second one may round to a right angle, which is the first.
+    best.angle = std::min(std::atan2(bestAxis.y(), bestAxis.x()), std::nextafter(HalfPi, 0.0));
     return best;
 }
 

@@ -2,6 +2,7 @@
 
 #include "fit/Types.h"
 
+#include <limits>
 #include <span>
 
 /** Convex polygons in the plane: what the light image of a body is.
@@ -24,6 +25,25 @@ void convexHull(std::vector<Vec2>& points, Polygon2& hull);
 /// Intersection of two convex polygons (Sutherland-Hodgman on `a` by every edge of `b`), widened
 /// by a relative rounding slack so that touching polygons keep what they touch in.
 void intersect(const Polygon2& a, const Polygon2& b, Polygon2& result, Polygon2& scratch);
+
+/// max |x|, |y| over the vertices: what their rounding is relative to; 0 of none.
+double largestCoordinate(std::span<const Vec2> polygon);
+
+/// Distance within which rounding may move a vertex of polygons with that largest coordinate, when
+/// one is clipped by the other.
+constexpr double clipSlack(double coordinate) {
+    return 16.0 * std::numeric_limits<double>::epsilon() * coordinate;
+}
+
+/// Keeps of the polygon what lies to the left of the line from `from` to `to`, or within `slack` of
+/// it; all of it where the two are one.
+void clipLeftOf(std::span<const Vec2> polygon, const Vec2& from, const Vec2& to, double slack,
+                Polygon2& result);
+
+/// The Minkowski sum with the rectangle of those half sides along `axis`, a unit vector, and its
+/// left-hand normal: what lies within the half sides of the polygon. Empty for an empty polygon.
+void sumWithRectangle(std::span<const Vec2> polygon, const Vec2& axis, const Vec2& halfSides,
+                      Polygon2& sum);
 
 /// Steiner point: the mean of the vertices weighted by exterior angle. It is interior, and moves
 /// continuously with the polygon, which the centroid does not when the area vanishes.

@@ -234,6 +234,55 @@ RC_GTEST_PROP(Intersect, HoldsExactlyThePointsOfBoth, ()) {
     }
 }
 
+TEST(ClipLeftOf, KeepsTheLeftHalfOfASquare) {
+    Polygon2 half;
+    clipLeftOf(Square, Vec2(0.25, 0.0), Vec2(0.25, 3.0), 0.0, half);
+    EXPECT_NEAR(areaOf(half), 0.25, 1e-15);
+    clipLeftOf(Square, Vec2(2.0, 2.0), Vec2(2.0, 2.0), 0.0, half);
+    EXPECT_EQ(half, Square);
+    clipLeftOf(Square, Vec2(-1.0, 0.0), Vec2(-1.0, 1.0), 0.0, half);
+    EXPECT_TRUE(half.empty());
+    clipLeftOf({}, Vec2(0.0, 0.0), Vec2(1.0, 0.0), 0.0, half);
+    EXPECT_TRUE(half.empty());
+}
+
+TEST(SumWithRectangle, OfNothingAPointASegmentAndASquare) {
+    Polygon2 sum;
+    sumWithRectangle({}, Vec2::UnitX(), Vec2::Ones(), sum);
+    EXPECT_TRUE(sum.empty());
+    sumWithRectangle(Polygon2{Vec2(5.0, 6.0), Vec2(5.0, 6.0)}, Vec2::UnitX(), Vec2(2.0, 1.0), sum);
+    EXPECT_EQ(sum, (Polygon2{Vec2(7, 7), Vec2(3, 7), Vec2(3, 5), Vec2(7, 5)}));
+    sumWithRectangle(Polygon2{Vec2(0, 0), Vec2(3, 0)}, Vec2::UnitX(), Vec2(2.0, 1.0), sum);
+    EXPECT_NEAR(areaOf(sum), 7.0 * 2.0, 1e-15);
+    sumWithRectangle(Square, Vec2::UnitX(), Vec2(2.0, 1.0), sum);
+    EXPECT_NEAR(areaOf(sum), 5.0 * 3.0, 1e-15);
+    sumWithRectangle(Square, -Vec2::UnitY(), Vec2(2.0, 1.0), sum);
+    EXPECT_NEAR(areaOf(sum), 5.0 * 3.0, 1e-15);
+}
+
+RC_GTEST_PROP(SumWithRectangle, IsTheHullOfAllSums, ()) {
+    Dice dice = anyDice();
+    Polygon2 polygon = randomPolygon(dice, 1 + dice.below(12));
+    if (dice.chance(0.3)) // slivers, down to segments but for rounding
+        for (Vec2& p : polygon)
+            p.y() *= std::pow(10.0, dice.in(-17.0, -3.0));
+    polygon = hullOf(polygon);
+    const double angle = dice.chance(0.3) ? 0.0 : dice.in(0.0, 2.0 * Pi);
+    const Vec2 axis(std::cos(angle), std::sin(angle));
+    const Vec2 half(dice.in(0.0, 1.0), dice.in(0.0, 1.0));
+    Polygon2 sum;
+    sumWithRectangle(polygon, axis, half, sum);
+    std::vector<Vec2> all;
+    for (const Vec2& p : polygon)
+        for (const double x : {-half.x(), half.x()})
+            for (const double y : {-half.y(), half.y()})
+                all.push_back(p + x * axis + y * Vec2(-axis.y(), axis.x()));
+    const Polygon2 hull = hullOf(all);
+    RC_ASSERT(std::abs(areaOf(sum) - areaOf(hull)) < 1e-12);
+    for (const Vec2& p : hull)
+        RC_ASSERT(outside(sum, p) < 1e-12);
+}
+
 TEST(SteinerPoint, OfKnownPolygons) {
     EXPECT_EQ(steinerPoint({}), Vec2::Zero());
     EXPECT_EQ(steinerPoint(Polygon2{Vec2(3, 4)}), Vec2(3, 4));
