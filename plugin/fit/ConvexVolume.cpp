@@ -1,58 +1,66 @@
 #include "fit/ConvexVolume.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 
 namespace Lixel {
 namespace {
 
-// The corners of corners(), bit 0: x, bit 1: y, bit 2: z, in face order; winding is of no matter.
-constexpr std::array<std::array<std::size_t, 4>, 6> BoxFaces = {
-    {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
+/// Relative rounding within which a vertex counts as lying on a plane. Without it a face that lies
+/// in the plane would be cut where rounding happens to say.
+constexpr double OnPlane = 0x1p-49;
 
-/// Clips one face polygon; the points on the plane that this makes are added to `cut`.
-void clipFace(const std::vector<Vec3>& face, const Plane& plane, std::vector<Vec3>& result,
-              std::vector<Vec3>& cut) {
-    result.clear();
-    const std::size_t n = face.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec3& a = face[i];
-        const Vec3& b = face[(i + 1) % n];
-        const double da = plane.distance(a);
-        const double db = plane.distance(b);
-        if (da >= 0.0) result.push_back(a);
-        if (da == 0.0) cut.push_back(a);
-        if ((da > 0.0 && db < 0.0) || (da < 0.0 && db > 0.0)) {
-            const Vec3 p = a + (b - a) * (da / (da - db));
-            result.push_back(p);
-            cut.push_back(p);
+/// Two corners of corners(), bit 0: x, bit 1: y, bit 2: z, and two faces: 2 * axis, + 1 the upper.
+constexpr std::array<ClipScratch::Edge, 12> BoxEdges = {{{{0, 1}, {2, 4}},
+                                                         {{2, 3}, {3, 4}},
+                                                         {{4, 5}, {2, 5}},
+                                                         {{6, 7}, {3, 5}},
+                                                         {{0, 2}, {0, 4}},
+                                                         {{1, 3}, {1, 4}},
+                                                         {{4, 6}, {0, 5}},
+                                                         {{5, 7}, {1, 5}},
+                                                         {{0, 4}, {0, 2}},
+                                                         {{1, 5}, {1, 2}},
+                                                         {{2, 6}, {0, 3}},
+                                                         {{3, 7}, {1, 3}}}};
+
+/// Cuts off what lies more than `slack` outside the plane; the cut becomes face `newFace`.
+void clipEdges(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch& scratch) {
+    std::vector<Vec3>& vertices = scratch.vertices;
+    std::vector<ClipScratch::Edge>& edges = scratch.edges;
+    scratch.distances.clear();
+    for (const Vec3& vertex : vertices)
+        scratch.distances.push_back(plane.distance(vertex));
+
+    scratch.cuts.clear();
+    std::size_t kept = 0;
+    const std::size_t count = edges.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        ClipScratch::Edge edge = edges[i];
+        const double a = scratch.distances[edge.vertices[0]];
+        const double b = scratch.distances[edge.vertices[1]];
+        const bool outsideA = a < -slack;
+        const bool outsideB = b < -slack;
+        if (outsideA && outsideB) continue;
+        if (outsideA || outsideB) {
+            const double t = std::clamp(a / (a - b), 0.0, 1.0);
+            const Vec3 begin = vertices[edge.vertices[0]];
+            const Vec3 end = vertices[edge.vertices[1]];
+            const auto cut = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(begin + t * (end - begin));
+            edge.vertices[outsideA ? 0 : 1] = cut;
+            for (const std::uint32_t face : edge.faces)
+                scratch.cuts.push_back({face, cut});
         }
+        edges[kept++] = edge;
     }
-}
-
-/// Orders coplanar points of a convex polygon around their mean.
-void orderAround(const Vec3& normal, std::vector<Vec3>& points,
-                 std::vector<std::pair<double, Vec3>>& sorted) {
-    Vec3 mean = Vec3::Zero();
-    for (const Vec3& p : points)
-        mean += p;
-    mean /= static_cast<double>(points.size());
-    // Any two axes in the plane do; the smallest component of the normal gives a stable one.
-    Vec3 axis = Vec3::Zero();
-    Eigen::Index smallest = 0;
-    normal.cwiseAbs().minCoeff(&smallest);
-    axis[smallest] = 1.0;
-    const Vec3 u = normal.cross(axis).normalized();
-    const Vec3 v = normal.cross(u);
-    sorted.clear();
-    for (const Vec3& p : points)
-        sorted.emplace_back(std::atan2((p - mean).dot(v), (p - mean).dot(u)), p);
-    std::sort(sorted.begin(), sorted.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-    points.clear();
-    for (const auto& [angle, p] : sorted)
-        points.push_back(p);
+    edges.resize(kept);
+    // A face is cut in two edges. Where rounding makes it more, all cuts are joined: a segment too
+    // many still lies in the volume, and one too few might be missed by the next plane.
+    for (std::size_t i = 0; i < scratch.cuts.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (scratch.cuts[i].face == scratch.cuts[k].face)
+                edges.push_back({{scratch.cuts[i].vertex, scratch.cuts[k].vertex},
+                                 {scratch.cuts[i].face, newFace}});
 }
 
 } // namespace
@@ -78,6 +86,12 @@ ConvexVolume::Side ConvexVolume::classify(const Box& box) const {
 ConvexVolume viewVolume(const ShadowViewer& viewer) {
     const Mat4 m = viewer.clipFromView * viewer.viewFromWorld;
     ConvexVolume volume;
+    // The planes that most bodies are beyond come first.
+    if (viewer.shadowDistance > 0.0) {
+        // depth = -(row z of the view matrix) . x <= shadowDistance
+        const Vec4 depth = viewer.viewFromWorld.row(2).transpose();
+        volume.add(depth.head<3>(), depth.w() + viewer.shadowDistance);
+    }
     // A row whose normal is this small beside the w row's is rounding of an infinite far plane.
     constexpr double VanishingPlane = 1e-12;
     const double scale = m.topLeftCorner<4, 3>().cwiseAbs().maxCoeff();
@@ -87,11 +101,6 @@ ConvexVolume viewVolume(const ShadowViewer& viewer) {
             if (plane.head<3>().norm() > VanishingPlane * scale)
                 volume.add(plane.head<3>(), plane.w());
         }
-    }
-    if (viewer.shadowDistance > 0.0) {
-        // depth = -(row z of the view matrix) . x <= shadowDistance
-        const Vec4 depth = viewer.viewFromWorld.row(2).transpose();
-        volume.add(depth.head<3>(), depth.w() + viewer.shadowDistance);
     }
     return volume;
 }
@@ -109,31 +118,25 @@ std::array<Vec3, 8> corners(const Box& box) {
 void clipBox(const Box& box, const ConvexVolume& volume, ClipScratch& scratch,
              std::vector<Vec3>& points) {
     const auto corner = corners(box);
-    std::size_t faces = BoxFaces.size();
-    if (scratch.faces.size() < BoxFaces.size() + ConvexVolume::Capacity)
-        scratch.faces.resize(BoxFaces.size() + ConvexVolume::Capacity);
-    for (std::size_t f = 0; f < faces; ++f) {
-        scratch.faces[f].clear();
-        for (const std::size_t c : BoxFaces[f])
-            scratch.faces[f].push_back(corner[c]);
-    }
+    scratch.vertices.assign(corner.begin(), corner.end());
+    scratch.edges.assign(BoxEdges.begin(), BoxEdges.end());
+    auto face = static_cast<std::uint32_t>(6);
     for (const Plane& plane : volume.planes()) {
         const double radius = plane.normal.cwiseAbs().dot(box.halfExtents);
         const double distance = plane.distance(box.centre);
         if (distance >= radius) continue;
-        if (distance < -radius) return;
-        scratch.cap.clear();
-        for (std::size_t f = 0; f < faces; ++f) {
-            clipFace(scratch.faces[f], plane, scratch.face, scratch.cap);
-            scratch.faces[f].swap(scratch.face);
-        }
-        if (scratch.cap.size() > 2) {
-            orderAround(plane.normal, scratch.cap, scratch.sorted);
-            scratch.faces[faces++].swap(scratch.cap);
-        }
+        const double slack = OnPlane * (plane.normal.cwiseAbs().dot(box.centre.cwiseAbs()) +
+                                        radius + std::abs(plane.offset));
+        if (distance < -radius - slack) return;
+        clipEdges(plane, slack, face++, scratch);
     }
-    for (std::size_t f = 0; f < faces; ++f)
-        points.insert(points.end(), scratch.faces[f].begin(), scratch.faces[f].end());
+    scratch.used.assign(scratch.vertices.size(), false);
+    for (const ClipScratch::Edge& edge : scratch.edges)
+        for (const std::uint32_t vertex : edge.vertices) {
+            if (scratch.used[vertex]) continue;
+            scratch.used[vertex] = true;
+            points.push_back(scratch.vertices[vertex]);
+        }
 }
 
 } // namespace Lixel

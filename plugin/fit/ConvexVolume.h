@@ -3,6 +3,7 @@
 #include "fit/ShadowProblem.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 namespace Lixel {
@@ -43,16 +44,28 @@ ConvexVolume viewVolume(const ShadowViewer& viewer);
 
 /// Scratch memory for clipping boxes, kept between frames so that nothing is allocated.
 struct ClipScratch {
-    std::vector<std::vector<Vec3>> faces;
-    std::vector<Vec3> cap;
-    std::vector<Vec3> face;
-    std::vector<std::pair<double, Vec3>> sorted;
+    /// An edge between two vertices, and between two faces.
+    struct Edge {
+        std::array<std::uint32_t, 2> vertices;
+        std::array<std::uint32_t, 2> faces;
+    };
+    /// Where a plane cuts an edge, once for each of the edge's faces.
+    struct Cut {
+        std::uint32_t face;
+        std::uint32_t vertex;
+    };
+    std::vector<Vec3> vertices;
+    std::vector<double> distances;
+    std::vector<Edge> edges;
+    std::vector<Cut> cuts;
+    std::vector<bool> used;
 };
 
-/** Appends the vertices of box ∩ volume to `points`, some of them repeatedly.
+/** Appends the vertices of box ∩ volume to `points`.
 
-    Each face polygon is clipped by each plane, and the cut is closed by a new face, so that edges
-    of the volume inside the box and its corners are found too.
+    The edges of the box are clipped by each plane; the points in which it cuts the edges of one
+    face are joined by a new edge, so that edges of the volume inside the box and its corners are
+    found too.
 */
 void clipBox(const Box& box, const ConvexVolume& volume, ClipScratch& scratch,
              std::vector<Vec3>& points);
