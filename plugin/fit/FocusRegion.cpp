@@ -1,8 +1,11 @@
 #include "fit/FocusRegion.h"
 
+#include "fit/BoxQuery.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <numbers>
 
@@ -16,21 +19,24 @@ constexpr int ConeSides = 8;
 
 /// The space a local light shines into, in world axes: in front of its near distance, within its
 /// range, inside a pyramid around its cone. Everything for a directional light.
-void addLightVolume(const ShadowLight& light, const LightImage& image, ConvexVolume& volume) {
-    if (image.directional()) return;
+ConvexVolume lightVolume(const ShadowLight& light, const LightImage& image) {
+    ConvexVolume volume;
+    if (image.directional()) return volume;
     const Vec3 axis = -image.lsFromWs().row(2).transpose();
     const Vec3& eye = image.wsEye();
     const auto add = [&](const Vec3& normal, double distance) {
         volume.add(normal, -normal.dot(eye) - distance);
     };
-    add(axis, light.nearDistance);
     if (std::isfinite(light.range)) add(-axis, -light.range);
     for (int i = 0; i < ConeSides; ++i) {
-        const double turn = 2.0 * std::numbers::pi * i / ConeSides;
+        // In turns of 3/8, so that the first sides are apart: most bodies are beyond one of them.
+        const double turn = 2.0 * std::numbers::pi * (3 * i) / ConeSides;
         const Vec3 side = image.lsFromWs().transpose() * Vec3(std::cos(turn), std::sin(turn), 0.0);
         // The plane through the apex that touches the cone along `side`.
         add(std::sin(light.outerHalfAngle) * axis - std::cos(light.outerHalfAngle) * side, 0.0);
     }
+    add(axis, light.nearDistance);
+    return volume;
 }
 
 /// An affine function of world points, and its range over a box.
@@ -46,7 +52,15 @@ struct Gauge {
         const double reach = absolute.dot(box.halfExtents);
         return {middle - reach, middle + reach};
     }
+    /// The half spaces of values from `least` on, and up to `greatest`.
+    Plane from(double least) const { return {normal, offset - least}; }
+    Plane to(double greatest) const { return {-normal, greatest - offset}; }
 };
+
+/// Distance from the light along its axis.
+Gauge lsDepthOf(const LightImage& image) {
+    return {-image.lsFromWs().row(2).transpose(), image.lsFromWs().row(2).dot(image.wsEye())};
+}
 
 /// A box that holds the volume, for bodies without bounds; false where the volume has none either.
 bool boundsOf(const ShadowViewer& viewer, Box& box) {
@@ -82,73 +96,89 @@ bool boundsOf(const ShadowViewer& viewer, Box& box) {
     return box.centre.allFinite() && box.halfExtents.allFinite();
 }
 
-/// Relative rounding within which two bodies count as touching.
-constexpr double TouchingSlack = 1e-12;
-
 /// Widens `range` to the values between `least` and `greatest`.
 void include(Vec2& range, double least, double greatest) {
     range = {std::min(range.x(), least), std::max(range.y(), greatest)};
 }
 
-bool holds(const Vec2& range, const Vec2& other) {
-    return range.x() <= other.x() && other.y() <= range.y();
+/** Calls `add` for the boxes of a set, but for those in `within(block)`, a set of lanes as bits
+    which may grow where `add` returns true. The largest comes first: it is the likeliest to spare
+    the others. */
+template <typename Within, typename Add>
+void addAllBut(const BoxSet& boxes, const Within& within, const Add& add) {
+    if (boxes.size() == 0) return;
+    const std::size_t largest = largestBox(boxes);
+    add(boxes.box(largest));
+    std::size_t first = 0;
+    for (const BoxSet::Block& block : boxes.blocks()) {
+        const std::size_t count = std::min(boxes.size() - first, BoxSet::BlockSize);
+        unsigned rest = (1U << count) - 1;
+        if (largest - first < count) rest &= ~(1U << (largest - first));
+        rest &= ~within(block);
+        while (rest != 0) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+            rest &= rest - 1;
+            if (add(boxes.box(first + lane)) && rest != 0) rest &= ~within(block);
+        }
+        first += BoxSet::BlockSize;
+    }
 }
 
 /// Collects what is visible of receivers.
 class Receivers {
 public:
-    Receivers(const ShadowProblem& problem, const LightImage& image, FocusScratch& scratch)
+    Receivers(const ShadowProblem& problem, const LightImage& image, const ConvexVolume& lit,
+              FocusScratch& scratch)
         : mProblem(problem),
           mImage(image),
           mScratch(scratch),
-          mLsDepth(-image.lsFromWs().row(2).transpose(),
-                   image.lsFromWs().row(2).dot(image.wsEye())),
+          mLsDepth(lsDepthOf(image)),
           mVsDepth(-problem.viewer.viewFromWorld.row(2).head<3>().transpose(),
                    -problem.viewer.viewFromWorld(2, 3)),
-          mSeen(viewVolume(problem.viewer)) {
-        addLightVolume(problem.light, image, mSeen);
+          mSeen(lit) {
+        for (const Plane& plane : viewVolume(problem.viewer).planes())
+            mSeen.add(plane.normal, plane.offset);
         scratch.receivers.reset(image);
-        scratch.straddling.clear();
     }
 
-    /// Adds a receiver, or puts it off until a clearly larger one has widened the hull: clipping is
-    /// dear, and most boxes at the rim of the view are inside what a ground shows there.
+    void addAll(const BoxSet& receivers) {
+        keepReaching(receivers, mSeen.planes(), mScratch.kept);
+        addAllBut(
+            mScratch.kept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
+            [this](const Box& box) {
+                const std::size_t revision = mScratch.receivers.revision();
+                const Vec2 lsRange = mLsRange;
+                const Vec2 vsRange = mVsRange;
+                add(box);
+                return revision != mScratch.receivers.revision() || lsRange != mLsRange ||
+                       vsRange != mVsRange;
+            });
+    }
     void add(const Box& box) {
-        if (addsNothing(box)) return;
         switch (mSeen.classify(box)) {
         case ConvexVolume::Side::Outside:
             return;
         case ConvexVolume::Side::Inside:
-            addCorners(box);
-            return;
+            return addCorners(box);
         case ConvexVolume::Side::Straddles:
-            const double size = box.halfExtents.sum();
-            if (size > 2.0 * mLargestClipped) {
-                mLargestClipped = size;
-                addClipped(box);
-            } else {
-                mScratch.straddling.push_back(box);
-            }
-            return;
+            return addClipped(box);
         }
-    }
-    void addPutOff() {
-        for (const Box& box : mScratch.straddling)
-            if (!addsNothing(box)) addClipped(box);
     }
 
     const Vec2& lsRange() const { return mLsRange; }
     const Vec2& vsRange() const { return mVsRange; }
 
 private:
-    /// Whether all of the box, in view or not, lies within what was added already; or beyond the
-    /// shadow distance.
-    bool addsNothing(const Box& box) const {
-        const Vec2 vs = mVsDepth.over(box);
-        const double shadowDistance = mProblem.viewer.shadowDistance;
-        if (shadowDistance > 0.0 && vs.x() > shadowDistance) return true;
-        return holds(mVsRange, vs) && holds(mLsRange, mLsDepth.over(box)) &&
-               mScratch.receivers.classify(box) == ConvexVolume::Side::Inside;
+    /// The lanes of boxes of which all, in view or not, lies within what was added already.
+    unsigned lanesWithin(const BoxSet::Block& block) const {
+        const ImageHull& hull = mScratch.receivers;
+        if (hull.edges().empty()) return 0;
+        const unsigned lanes = lanesInside(block, hull.edges());
+        if (lanes == 0) return 0;
+        const std::array<Plane, 4> ranges = {mLsDepth.from(mLsRange.x()), mLsDepth.to(mLsRange.y()),
+                                             mVsDepth.from(mVsRange.x()),
+                                             mVsDepth.to(mVsRange.y())};
+        return lanes & lanesInside(block, ranges);
     }
 
     void addCorners(const Box& box) {
@@ -156,8 +186,8 @@ private:
         const Vec2 vs = mVsDepth.over(box);
         include(mLsRange, ls.x(), ls.y());
         include(mVsRange, vs.x(), vs.y());
-        for (const Vec3& ws : corners(box))
-            mScratch.receivers.add(mImage.project(mImage.lsFromPoint(ws)));
+        for (const Vec2& point : boxImage(mImage, box))
+            mScratch.receivers.add(point);
     }
 
     void addClipped(const Box& box) {
@@ -182,60 +212,163 @@ private:
     ConvexVolume mSeen;
     Vec2 mLsRange = Vec2(Infinity, -Infinity);
     Vec2 mVsRange = Vec2(Infinity, -Infinity);
-    double mLargestClipped = 0.0;
+};
+
+/// Collects what casters cover of the visible receivers, whose hull is in the scratch memory.
+class Casters {
+public:
+    Casters(const ShadowProblem& problem, const LightImage& image, const ConvexVolume& lit,
+            double lsReceiverFar, FocusScratch& scratch)
+        : mProblem(problem),
+          mImage(image),
+          mLit(lit),
+          mScratch(scratch),
+          mLsDepth(lsDepthOf(image)),
+          mLsReceiverFar(lsReceiverFar),
+          mCoordinate(largestCoordinate(scratch.receivers.hull())) {
+        scratch.casters.reset(image);
+        mRevision = scratch.casters.revision();
+    }
+
+    void addAll(const BoxSet& casters) {
+        // What is beside all receivers or behind them. The first edges to ask are apart.
+        const std::span<const Plane> edges = mScratch.receivers.edges();
+        std::vector<Plane>& planes = mScratch.planes;
+        planes.clear();
+        const std::size_t step = (edges.size() + 2) / 3;
+        for (std::size_t begin = 0; begin < step; ++begin)
+            for (std::size_t i = begin; i < edges.size(); i += step)
+                planes.push_back(edges[i]);
+        planes.push_back(mLsDepth.to(mLsReceiverFar));
+        keepReaching(casters, planes, mScratch.kept);
+
+        planes.clear();
+        addAllBut(
+            mScratch.kept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
+            [this](const Box& box) {
+                const std::size_t revision = mScratch.casters.revision();
+                const double lsNear = mLsNear;
+                add(box);
+                return revision != mScratch.casters.revision() || lsNear != mLsNear;
+            });
+    }
+
+    /// Distance along the light of the nearest that was added; infinite before.
+    double lsNear() const { return mLsNear; }
+
+private:
+    /// The lanes of boxes that would neither widen the hull, once they are cut off where no
+    /// receiver is, nor are nearer to the light.
+    unsigned lanesWithin(const BoxSet::Block& block) {
+        const ImageHull& hull = mScratch.casters;
+        if (hull.edges().empty()) return 0;
+        if (mRevision != hull.revision()) {
+            mRevision = hull.revision();
+            findInnerEdges();
+        }
+        const unsigned lanes = lanesInside(block, mScratch.planes);
+        // Casters are cut off at a local light's near distance: no box changes that.
+        if (lanes == 0 || (!mImage.directional() &&
+                           mLsNear <= mProblem.light.nearDistance * (1.0 + TouchingSlack)))
+            return lanes;
+        const Plane beyondNearest = mLsDepth.from(mLsNear);
+        return lanes & lanesInside(block, {&beyondNearest, 1});
+    }
+
+    /// Leaves the edges along the receivers' hull out: nothing that is kept reaches beyond them.
+    void findInnerEdges() {
+        const Polygon2& outer = mScratch.receivers.hull();
+        const Polygon2& inner = mScratch.casters.hull();
+        const std::span<const Plane> edges = mScratch.casters.edges();
+        const double slack = 2.0 * clipSlack(mCoordinate);
+        mScratch.planes.clear();
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+            const Vec2& a = inner[i];
+            const Vec2& b = inner[i + 1 < inner.size() ? i + 1 : 0];
+            bool along = false;
+            for (std::size_t k = 0; k < outer.size() && outer.size() > 2 && !along; ++k) {
+                const Vec2& from = outer[k];
+                const Vec2 edge = outer[k + 1 < outer.size() ? k + 1 : 0] - from;
+                const double most = slack * edge.cwiseAbs().sum();
+                along = std::abs(cross(edge, a - from)) <= most &&
+                        std::abs(cross(edge, b - from)) <= most;
+            }
+            if (!along) mScratch.planes.push_back(edges[i]);
+        }
+    }
+
+    void add(const Box& box) {
+        double nearest = mLsDepth.over(box).x();
+        mScratch.points.clear();
+        switch (mLit.classify(box)) {
+        case ConvexVolume::Side::Outside:
+            return;
+        case ConvexVolume::Side::Inside:
+            for (const Vec2& point : boxImage(mImage, box))
+                mScratch.points.push_back(point);
+            break;
+        case ConvexVolume::Side::Straddles:
+            nearest = Infinity;
+            mScratch.wsPoints.clear();
+            clipBox(box, mLit, mScratch.clip, mScratch.wsPoints);
+            for (const Vec3& ws : mScratch.wsPoints) {
+                const Vec3 ls = mImage.lsFromPoint(ws);
+                if (-ls.z() < 0.5 * mProblem.light.nearDistance) continue;
+                nearest = std::min(nearest, -ls.z());
+                mScratch.points.push_back(mImage.project(ls));
+            }
+            break;
+        }
+        if (mScratch.points.empty()) return;
+        if (!clipToReceivers(box)) return;
+        mLsNear = std::min(mLsNear, nearest);
+        for (const Vec2& point : mScratch.points)
+            mScratch.casters.add(point);
+    }
+
+    /// Of each caster only what covers visible receivers: one that touches them with a corner then
+    /// joins the region with that corner, and not with all of itself.
+    /// @return whether anything is left of the points
+    bool clipToReceivers(const Box& box) {
+        const Polygon2& outer = mScratch.receivers.hull();
+        const std::span<const Plane> edges = mScratch.receivers.edges();
+        std::vector<Vec2>& points = mScratch.points;
+        Polygon2& caster = mScratch.caster;
+        if (edges.empty()) {
+            convexHull(points, caster);
+            intersect(outer, caster, points, mScratch.polygon);
+            return !points.empty();
+        }
+        bool whole = true;
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const Vec2 over = Gauge(edges[i].normal, edges[i].offset).over(box);
+            if (over.x() >= 0.0) continue;
+            if (whole) {
+                convexHull(points, caster);
+                points.swap(caster);
+                whole = false;
+            }
+            const double slack = clipSlack(std::max(mCoordinate, largestCoordinate(points)));
+            clipLeftOf(points, outer[i], outer[i + 1 < outer.size() ? i + 1 : 0], slack, caster);
+            points.swap(caster);
+            if (points.empty()) return false;
+        }
+        return true;
+    }
+
+    const ShadowProblem& mProblem;
+    const LightImage& mImage;
+    const ConvexVolume& mLit;
+    FocusScratch& mScratch;
+    Gauge mLsDepth;
+    double mLsReceiverFar;
+    double mLsNear = Infinity;
+    /// The largest coordinate of the receivers' hull.
+    double mCoordinate;
+    std::size_t mRevision = 0;
 };
 
 } // namespace
-
-void ImageHull::reset(const LightImage& image) {
-    mImage = image;
-    mHull.clear();
-    mPoints.clear();
-    mEdges.clear();
-}
-
-void ImageHull::add(const Vec2& point) {
-    // Updates are worth their sorting while points are few, and cost less than all points at once.
-    constexpr std::size_t LeastNews = 32;
-    mPoints.push_back(point);
-    if (mPoints.size() >= 2 * mHull.size() + LeastNews) update();
-}
-
-const Polygon2& ImageHull::hull() {
-    if (mPoints.size() != mHull.size()) update();
-    return mHull;
-}
-
-void ImageHull::update() {
-    convexHull(mPoints, mHull);
-    mPoints.assign(mHull.begin(), mHull.end());
-    mEdges.clear();
-    for (std::size_t i = 0; i < mHull.size() && mHull.size() > 2; ++i) {
-        const Vec2& a = mHull[i];
-        const Vec2 edge = mHull[(i + 1) % mHull.size()] - a;
-        // cross(edge, q - a) >= 0 for q = (x, y), or for q = (x, y) / -z with -z multiplied out.
-        const double at = cross(edge, a);
-        const Vec3 ls(-edge.y(), edge.x(), mImage.directional() ? 0.0 : at);
-        const Vec3 ws = mImage.lsFromWs().transpose() * ls;
-        mEdges.push_back(
-            {ws, ws.cwiseAbs(), -ws.dot(mImage.wsEye()) - (mImage.directional() ? at : 0.0)});
-    }
-}
-
-ConvexVolume::Side ImageHull::classify(const Box& box) const {
-    ConvexVolume::Side side =
-        mEdges.empty() ? ConvexVolume::Side::Straddles : ConvexVolume::Side::Inside;
-    for (const EdgePlane& edge : mEdges) {
-        const double distance = edge.normal.dot(box.centre) + edge.offset;
-        const double reach = edge.absolute.dot(box.halfExtents);
-        // A box that touches an edge from outside shares its rays.
-        const double slack = TouchingSlack * (std::abs(edge.offset) +
-                                              edge.absolute.dot(box.centre.cwiseAbs()) + reach);
-        if (distance < -reach - slack) return ConvexVolume::Side::Outside;
-        if (distance < reach) side = ConvexVolume::Side::Straddles;
-    }
-    return side;
-}
 
 void findFocusRegion(const ShadowProblem& problem, const LightImage& image, FocusScratch& scratch,
                      FocusRegion& region) {
@@ -248,72 +381,29 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
     if (casters.empty()) return stop(FitReason::NoCasters);
 
     // Visible receivers, clipped to what the viewer sees and the light reaches.
-    Receivers visible(problem, image, scratch);
-    for (const Box& box : receivers.boxes())
-        visible.add(box);
-    Box everything;
+    const ConvexVolume lit = lightVolume(problem.light, image);
+    Receivers visible(problem, image, lit, scratch);
+    visible.addAll(receivers);
     if (receivers.unbounded() > 0) {
+        Box everything;
         if (!boundsOf(problem.viewer, everything)) return stop(FitReason::Unbounded);
         visible.add(everything);
         region.reason = FitReason::UnboundedBody;
     }
-    visible.addPutOff();
-    const Polygon2& receiverHull = scratch.receivers.hull();
-    if (receiverHull.empty()) return stop(FitReason::NoReceivers);
+    if (scratch.receivers.hull().empty()) return stop(FitReason::NoReceivers);
     region.lsReceiverNear = visible.lsRange().x();
     region.lsReceiverFar = visible.lsRange().y();
     region.vsReceiverNear = visible.vsRange().x();
     region.vsReceiverFar = visible.vsRange().y();
 
     // Casters between the light and a visible receiver.
-    region.lsCasterNear = Infinity;
-    const Gauge lsDepth(-image.lsFromWs().row(2).transpose(),
-                        image.lsFromWs().row(2).dot(image.wsEye()));
-    ConvexVolume lit;
-    addLightVolume(problem.light, image, lit);
-    scratch.casters.reset(image);
-    for (const Box& box : casters.boxes()) {
-        double nearest = lsDepth.over(box).x();
-        // A body without depth along the light may shadow itself.
-        if (nearest > region.lsReceiverFar + TouchingSlack * std::abs(nearest)) continue;
-        const bool nearer = nearest < region.lsCasterNear;
-        if (!nearer && scratch.casters.classify(box) == ConvexVolume::Side::Inside) continue;
-        if (scratch.receivers.classify(box) == ConvexVolume::Side::Outside) continue;
-
-        scratch.points.clear();
-        switch (lit.classify(box)) {
-        case ConvexVolume::Side::Outside:
-            continue;
-        case ConvexVolume::Side::Inside:
-            for (const Vec3& ws : corners(box))
-                scratch.points.push_back(image.project(image.lsFromPoint(ws)));
-            break;
-        case ConvexVolume::Side::Straddles:
-            nearest = Infinity;
-            scratch.wsPoints.clear();
-            clipBox(box, lit, scratch.clip, scratch.wsPoints);
-            for (const Vec3& ws : scratch.wsPoints) {
-                const Vec3 ls = image.lsFromPoint(ws);
-                if (-ls.z() < 0.5 * problem.light.nearDistance) continue;
-                nearest = std::min(nearest, -ls.z());
-                scratch.points.push_back(image.project(ls));
-            }
-            break;
-        }
-        if (scratch.points.empty()) continue;
-        // Of each caster only what covers visible receivers: one that touches them with a corner
-        // then joins the region with that corner, and not with all of itself.
-        convexHull(scratch.points, scratch.caster);
-        intersect(receiverHull, scratch.caster, region.liHull, scratch.polygon);
-        if (region.liHull.empty()) continue;
-        region.lsCasterNear = std::min(region.lsCasterNear, nearest);
-        for (const Vec2& point : region.liHull)
-            scratch.casters.add(point);
-    }
+    Casters covering(problem, image, lit, region.lsReceiverFar, scratch);
+    covering.addAll(casters);
+    region.lsCasterNear = covering.lsNear();
     if (casters.unbounded() > 0) {
         region.reason = FitReason::UnboundedBody;
         region.lsCasterNear = std::min(region.lsCasterNear, region.lsReceiverNear);
-        region.liHull = receiverHull;
+        region.liHull = scratch.receivers.hull();
     } else {
         region.liHull = scratch.casters.hull();
     }

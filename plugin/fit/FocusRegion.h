@@ -1,52 +1,18 @@
 #pragma once
 
-#include "fit/ConvexVolume.h"
-#include "fit/LightImage.h"
-#include "fit/Polygon2.h"
+#include "fit/ImageHull.h"
 #include "fit/ShadowFit.h"
 
 namespace Lixel {
 
-/** The convex hull of bodies in the light image, which grows body by body.
-
-    Most bodies lie within the image of the few at its rim. So a body is first compared with the
-    hull so far, as a box in the world: with the planes through the light and the hull's edges, for
-    which nothing of it has to be projected, nor divided by its depth.
-*/
-class ImageHull {
-public:
-    /// Starts an empty hull in that image.
-    void reset(const LightImage& image);
-    void add(const Vec2& point);
-    /// The hull of all points added so far.
-    const Polygon2& hull();
-
-    /// Where a box's image lies, seen from the hull at its last update: Inside it, Outside of it
-    /// (an edge separates them), or neither for certain. A local light's box may reach behind the
-    /// light; its part in front is what the answer is about.
-    ConvexVolume::Side classify(const Box& box) const;
-
-private:
-    struct EdgePlane {
-        Vec3 normal;
-        Vec3 absolute;
-        double offset;
-    };
-    void update();
-
-    LightImage mImage;
-    Polygon2 mHull;
-    /// The hull at its last update, and what came since.
-    std::vector<Vec2> mPoints;
-    std::vector<EdgePlane> mEdges;
-};
-
 /// Scratch memory of focusing, kept between frames.
 struct FocusScratch {
     ClipScratch clip;
+    /// The boxes that are left to look at closely.
+    BoxSet kept;
+    std::vector<Plane> planes;
     std::vector<Vec3> wsPoints;
     std::vector<Vec2> points;
-    std::vector<Box> straddling;
     ImageHull receivers;
     ImageHull casters;
     Polygon2 caster;

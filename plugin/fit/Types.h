@@ -60,6 +60,17 @@ public:
         else
             store(box);
     }
+    /// Adds a box of a set, which has been judged there.
+    void copy(const BoxSet& from, std::size_t index) {
+        const Block& source = from.mBlocks[index / BlockSize];
+        const std::size_t sourceLane = index % BlockSize;
+        const std::size_t lane = nextLane();
+        Block& block = mBlocks.back();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            block.centre[axis][lane] = source.centre[axis][sourceLane];
+            block.halfExtents[axis][lane] = source.halfExtents[axis][sourceLane];
+        }
+    }
     /// Counts a body that has no bounds: it may be anywhere.
     void addUnbounded() { ++mUnbounded; }
 
@@ -89,9 +100,14 @@ private:
     /// Beyond it a float's square overflows, and matrices with it: such a box has no bounds.
     static constexpr double GreatestExtent = 1e18;
 
-    void store(const Box& box) {
+    /// Makes room for one box more, in that lane of the last block.
+    std::size_t nextLane() {
         const std::size_t lane = mSize++ % BlockSize;
         if (lane == 0) mBlocks.push_back({});
+        return lane;
+    }
+    void store(const Box& box) {
+        const std::size_t lane = nextLane();
         Block& block = mBlocks.back();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             block.centre[axis][lane] = box.centre[static_cast<Eigen::Index>(axis)];

@@ -1,0 +1,190 @@
+#include "fit/BoxQuery.h"
+
+#include "fit/VectorClones.h"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+namespace Lixel {
+namespace {
+
+/// Four lanes of a block: a register of AVX2, or two of SSE2. Vectors of GCC, as it does not find
+/// them in loops over arrays of eight.
+using Four = double __attribute__((vector_size(32)));
+using FourBits = std::uint64_t __attribute__((vector_size(32)));
+constexpr std::size_t Parts = BoxSet::BlockSize / 4;
+static_assert(BoxSet::BlockSize == 4 * Parts);
+
+constexpr unsigned AllLanes = (1U << BoxSet::BlockSize) - 1;
+
+/// A half space, prepared for the question whether a box reaches into it.
+struct Reach {
+    /// For each axis the box's face that reaches farthest: 0 the lower, 1 the upper.
+    std::array<std::size_t, 3> face;
+    std::array<double, 3> normal;
+    double offset;
+};
+
+Reach reachOf(const Plane& plane) {
+    Reach reach;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double n = plane.normal[static_cast<Eigen::Index>(axis)];
+        reach.face[axis] = n > 0.0 ? 1 : 0;
+        reach.normal[axis] = n;
+    }
+    reach.offset = plane.offset + TouchingSlack * std::abs(plane.offset);
+    return reach;
+}
+
+// Inlined into each clone, the following are compiled for its processor.
+
+[[gnu::always_inline]] inline void load(const BoxSet::Block::Lanes& lanes, std::size_t part,
+                                        Four& result) {
+    std::memcpy(&result, lanes.data() + 4 * part, sizeof(result));
+}
+
+[[gnu::always_inline]] inline void absolute(const Four& value, Four& result) {
+    FourBits bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    bits &= ~std::uint64_t{0} >> 1;
+    std::memcpy(&result, &bits, sizeof(bits));
+}
+
+/// Collects sign bits: a lane is negative once one of its values was.
+[[gnu::always_inline]] inline void collect(const Four& value, FourBits& negative) {
+    FourBits bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    negative |= bits;
+}
+
+/// The lanes that are not negative, as bits.
+[[gnu::always_inline]] inline unsigned notNegative(const std::array<FourBits, Parts>& negative) {
+    static_assert(Parts == 2);
+    const FourBits signs = (negative[0] >> 63) | ((negative[1] >> 63) << 4);
+    const std::uint64_t all = signs[0] | (signs[1] << 1) | (signs[2] << 2) | (signs[3] << 3);
+    return static_cast<unsigned>(all) ^ AllLanes;
+}
+
+/// Blocks that are asked before any of them is looked at again, so that the processor need not wait
+/// for the answers.
+constexpr std::size_t Batch = 64;
+
+/// Half spaces that all blocks are asked about; most boxes are outside one of the first few.
+constexpr std::size_t FirstPlanes = 3;
+
+/// The faces of a block's boxes, for each axis the lower and the upper, moved outwards by the
+/// slack.
+using Faces = std::array<std::array<std::array<Four, Parts>, 2>, 3>;
+
+[[gnu::always_inline]] inline void findFaces(const BoxSet::Block& block, Faces& faces) {
+    for (std::size_t part = 0; part < Parts; ++part)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Four centre;
+            Four half;
+            load(block.centre[axis], part, centre);
+            load(block.halfExtents[axis], part, half);
+            Four slack;
+            absolute(centre, slack);
+            slack = TouchingSlack * (slack + half);
+            faces[axis][0][part] = centre - half - slack;
+            faces[axis][1][part] = centre + half + slack;
+        }
+}
+
+[[gnu::always_inline]] inline void collectReach(const Faces& faces, const Reach& reach,
+                                                std::array<FourBits, Parts>& negative) {
+    for (std::size_t part = 0; part < Parts; ++part) {
+        const Four farthest = (reach.normal[0] * faces[0][reach.face[0]][part] +
+                               reach.normal[1] * faces[1][reach.face[1]][part]) +
+                              (reach.normal[2] * faces[2][reach.face[2]][part] + reach.offset);
+        collect(farthest, negative[part]);
+    }
+}
+
+/// For each block of a batch, the lanes of boxes that reach into each half space.
+LIXEL_VECTOR_CLONES
+void lanesReaching(std::span<const BoxSet::Block> blocks, std::span<const Reach> reaches,
+                   unsigned* lanes) {
+    const std::size_t first = std::min(FirstPlanes, reaches.size());
+    Faces faces;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        findFaces(blocks[i], faces);
+        std::array<FourBits, Parts> negative{};
+        for (std::size_t k = 0; k < first; ++k)
+            collectReach(faces, reaches[k], negative);
+        lanes[i] = notNegative(negative);
+    }
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (lanes[i] == 0) continue;
+        findFaces(blocks[i], faces);
+        std::array<FourBits, Parts> negative{};
+        for (std::size_t k = first; k < reaches.size(); ++k)
+            collectReach(faces, reaches[k], negative);
+        lanes[i] &= notNegative(negative);
+    }
+}
+
+} // namespace
+
+void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& kept) {
+    kept.clear();
+    // A hull of more edges than this drops fewer boxes here; that costs time alone.
+    std::array<Reach, 2 * ConvexVolume::Capacity> reaches;
+    const std::size_t count = std::min(planes.size(), reaches.size());
+    for (std::size_t i = 0; i < count; ++i)
+        reaches[i] = reachOf(planes[i]);
+    std::array<unsigned, Batch> reaching;
+    for (std::size_t first = 0; first < boxes.blocks().size(); first += Batch) {
+        const auto blocks =
+            boxes.blocks().subspan(first, std::min(Batch, boxes.blocks().size() - first));
+        lanesReaching(blocks, {reaches.data(), count}, reaching.data());
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+            for (unsigned lanes = reaching[i]; lanes != 0; lanes &= lanes - 1) {
+                const std::size_t index = (first + i) * BoxSet::BlockSize +
+                                          static_cast<std::size_t>(std::countr_zero(lanes));
+                if (index < boxes.size()) kept.copy(boxes, index);
+            }
+    }
+}
+
+LIXEL_VECTOR_CLONES
+unsigned lanesInside(const BoxSet::Block& block, std::span<const Plane> planes) {
+    std::array<FourBits, Parts> negative{};
+    for (std::size_t part = 0; part < Parts; ++part) {
+        std::array<Four, 3> centre;
+        std::array<Four, 3> half;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            load(block.centre[axis], part, centre[axis]);
+            load(block.halfExtents[axis], part, half[axis]);
+        }
+        for (const Plane& plane : planes) {
+            const double x = plane.normal.x();
+            const double y = plane.normal.y();
+            const double z = plane.normal.z();
+            const Four distance = (x * centre[0] + y * centre[1]) + (z * centre[2] + plane.offset);
+            const Four reach =
+                (std::abs(x) * half[0] + std::abs(y) * half[1]) + std::abs(z) * half[2];
+            collect(distance - reach, negative[part]);
+        }
+    }
+    return notNegative(negative);
+}
+
+std::size_t largestBox(const BoxSet& boxes) {
+    double largest = -1.0;
+    std::size_t result = 0;
+    std::size_t index = 0;
+    for (const BoxSet::Block& block : boxes.blocks())
+        for (std::size_t lane = 0; lane < BoxSet::BlockSize; ++lane, ++index) {
+            const double size = block.halfExtents[0][lane] + block.halfExtents[1][lane] +
+                                block.halfExtents[2][lane];
+            if (size > largest && index < boxes.size()) {
+                largest = size;
+                result = index;
+            }
+        }
+    return result;
+}
+
+} // namespace Lixel

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "fit/ConvexVolume.h"
+#include "fit/LightImage.h"
+#include "fit/Polygon2.h"
+
+namespace Lixel {
+
+/** The convex hull of bodies in the light image, which grows point by point.
+
+    Most bodies lie within the image of the few at its rim. So the hull's edges are also kept as
+    planes in the world, through the light: a box is compared with them as it is, without being
+    projected, nor divided by its depth.
+*/
+class ImageHull {
+public:
+    /// Starts an empty hull in that image.
+    void reset(const LightImage& image);
+    void add(const Vec2& point);
+
+    /// The hull of all points added so far.
+    const Polygon2& hull() const { return mHull; }
+    /// For each edge, from its vertex on, the half space of rays on its inner side; none where the
+    /// hull has no area. A local light's box that lies in all of them lies in front of the light.
+    std::span<const Plane> edges() const { return mEdges; }
+    /// Counts how often the hull has changed.
+    std::size_t revision() const { return mRevision; }
+
+private:
+    Plane edgePlane(const Vec2& from, const Vec2& to) const;
+    /// Finds the hull of its vertices and one more point anew.
+    void rebuild(const Vec2& point);
+    void findFlatness();
+
+    LightImage mImage;
+    Polygon2 mHull;
+    std::vector<Plane> mEdges;
+    /// The largest coordinate of the hull's vertices.
+    double mCoordinate = 0.0;
+    /// So narrow that rounding decides which side of an edge a point is on, or no polygon.
+    bool mFlat = true;
+    std::size_t mRevision = 0;
+    /// What is being built while the hull changes.
+    Polygon2 mNextHull;
+    std::vector<Plane> mNextEdges;
+};
+
+/// The image of a box's eight corners; all of them must be in front of a local light.
+std::array<Vec2, 8> boxImage(const LightImage& image, const Box& box);
+
+} // namespace Lixel
