@@ -56,6 +56,16 @@ bool invertible(const Mat4& m) {
     return std::abs((m.array().rowwise() / norms.array()).matrix().determinant()) > Singular;
 }
 
+/// Whether the view matrix is a rigid motion, or one with a mirror: depths are measured with it.
+bool isRigid(const Mat4& viewFromWorld) {
+    // Far beyond what a float's quaternion drifts by until its owner normalises it.
+    constexpr double Distortion = 0.01;
+    const Mat3 rotation = viewFromWorld.topLeftCorner<3, 3>();
+    const Mat3 product = rotation * rotation.transpose();
+    return (product - Mat3::Identity()).cwiseAbs().maxCoeff() <= Distortion &&
+           viewFromWorld.row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
+}
+
 /// Whether every number that a fit depends on is usable.
 bool valid(const ShadowProblem& problem) {
     const ShadowLight& light = problem.light;
@@ -68,7 +78,7 @@ bool valid(const ShadowProblem& problem) {
         return false;
     if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return false;
     if (!(viewer.shadowDistance >= 0.0)) return false;
-    if (!invertible(viewer.viewFromWorld) || !invertible(viewer.clipFromView)) return false;
+    if (!isRigid(viewer.viewFromWorld) || !invertible(viewer.clipFromView)) return false;
     if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0)) return false;
     if (light.kind != LightKind::Directional) {
         if (!light.wsPosition.allFinite()) return false;

@@ -281,6 +281,9 @@ private:
         const Polygon2& inner = mScratch.casters.hull();
         const std::span<const Plane> edges = mScratch.casters.edges();
         const double slack = 2.0 * clipSlack(mCoordinate);
+        // Along much of the edge, and the same way: the other side of a flat hull limits it, and
+        // the direction of an edge as short as rounding says nothing.
+        constexpr double SharedPart = 1.0 / 1024.0;
         mScratch.planes.clear();
         for (std::size_t i = 0; i < inner.size(); ++i) {
             const Vec2& a = inner[i];
@@ -290,7 +293,8 @@ private:
                 const Vec2& from = outer[k];
                 const Vec2 edge = outer[k + 1 < outer.size() ? k + 1 : 0] - from;
                 const double most = slack * edge.cwiseAbs().sum();
-                along = std::abs(cross(edge, a - from)) <= most &&
+                along = edge.dot(b - a) > SharedPart * edge.squaredNorm() &&
+                        std::abs(cross(edge, a - from)) <= most &&
                         std::abs(cross(edge, b - from)) <= most;
             }
             if (!along) mScratch.planes.push_back(edges[i]);

@@ -28,7 +28,8 @@ struct ShadowLight {
 /// Who looks at the shadows.
 struct ShadowViewer {
     /// View space from world axes relative to the problem's origin; a rigid motion, or one with a
-    /// mirror. View space looks along -z.
+    /// mirror: a matrix that scales or shears by more than 1 % is invalid. View space looks along
+    /// -z.
     Mat4 viewFromWorld = Mat4::Identity();
     /// OpenGL clip space (-w <= x, y, z <= w) from view space: perspective, orthographic, off-axis
     /// or oblique, with or without a far plane.

@@ -6,8 +6,8 @@ namespace Lixel {
 
 /** The uniform shadow map (Williams 1978), focused: warp 0.
 
-    Texels are squares of one size on any plane across the light. What a warped technique must not
-    do worse than.
+    Texels are equal rectangles on any plane across the light: the focus region's smallest rectangle
+    in as many parts as the map has texels. What a warped technique must not do worse than.
 
     @return one map, or the reason why there is none. @see ShadowFit
 */

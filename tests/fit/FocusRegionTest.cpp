@@ -241,6 +241,44 @@ TEST(FocusRegion, OfASpotHasNothingBesideItsConeOrBeyondItsRange) {
     EXPECT_EQ(regionOf(scene).reason, FitReason::NoReceivers);
 }
 
+TEST(FocusRegion, HoldsABodyBesideALineThatCastsAlongItsBorder) {
+    // The line comes first, and its image is a polygon of rounding on the border of the receivers.
+    Scene scene;
+    scene.size = 5e3;
+    scene.viewer.viewFromWorld.topLeftCorner<3, 3>() << -0.1385568425472079, 0.29049670237345321,
+        -0.94679124800216519, -0.64227566291838656, 0.70134758788926699, 0.30918203988047926,
+        0.7538461210393641, 0.65094026367406133, 0.089402454786477681;
+    scene.viewer.clipFromView << 1.1914353266876982, 0.0, 1.334646599073507, 0.0, //
+        0.0, 0.6740667647980052, -0.87262736100341187, 0.0,                       //
+        0.0, 0.0, -1.000088590805174, -7.3279424559926225,                        //
+        0.0, 0.0, -1.0, 0.0;
+    scene.light.kind = LightKind::Spot;
+    scene.light.wsDirection = Vec3(-6820.9866684114222, -7413.3825750920187, 1602.1324147516239);
+    scene.light.wsPosition = Vec3(3051.7560632146015, 4158.6812567217121, -2049.1446886840122);
+    scene.light.outerHalfAngle = 0.98984880350339477;
+    scene.light.nearDistance = 6.7595851571676615;
+    const Box box{Vec3(-4103.8497894817983, -8394.5596417151901, -5748.133791502848),
+                  Vec3(50.522745836979311, 166.31314334005643, 32.426895622342798)};
+    const Box line{Vec3(-2329.522890698609, -513.13003209740623, -2559.2161451829925),
+                   Vec3(0.0, 0.0, 1026.3303115827391)};
+    scene.addBody(box);
+    scene.addBody(line);
+    const FocusRegion region = regionOf(scene);
+    ASSERT_EQ(region.reason, FitReason::None);
+    const LightImage image(scene.light);
+    const ConvexVolume seen = viewVolume(scene.viewer);
+    for (const Vec3& corner : corners(box)) {
+        const auto isSeen = [&](const Plane& plane) { return plane.distance(corner) >= 0.0; };
+        if (!std::all_of(seen.planes().begin(), seen.planes().end(), isSeen)) continue;
+        const Vec2 q = image.project(image.lsFromPoint(corner));
+        for (std::size_t i = 0; i < region.liHull.size(); ++i) {
+            const Vec2& a = region.liHull[i];
+            const Vec2 edge = region.liHull[(i + 1) % region.liHull.size()] - a;
+            EXPECT_GE(cross(edge, q - a), -1e-12) << corner.transpose();
+        }
+    }
+}
+
 RC_GTEST_PROP(FocusRegion, IsAConvexPolygonAroundItsCentre, ()) {
     const Scene scene = *anyScene();
     const FocusRegion region = regionOf(scene);

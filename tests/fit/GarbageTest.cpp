@@ -1,6 +1,8 @@
 /// Contract, 1 and 2: for every input a fit returns, and says why where there is no map.
 #include "Problems.h"
 
+#include "fit/Uniform.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -44,6 +46,11 @@ std::vector<Spoiler> spoilers() {
          [](Scene& s) { s.viewer.viewFromWorld(0, 3) = Infinity; }},
         {"ZeroViewMatrix", Invalid, [](Scene& s) { s.viewer.viewFromWorld.setZero(); }},
         {"SingularViewMatrix", Invalid, [](Scene& s) { s.viewer.viewFromWorld.row(0).setZero(); }},
+        {"HugeViewMatrix", Invalid, [](Scene& s) { s.viewer.viewFromWorld.fill(1e308); }},
+        {"HugeNumberInViewMatrix", Invalid, [](Scene& s) { s.viewer.viewFromWorld(1, 1) = 1e308; }},
+        {"ScaledViewMatrix", Invalid,
+         [](Scene& s) { s.viewer.viewFromWorld.topLeftCorner<3, 3>() *= 1.1; }},
+        {"ProjectiveViewMatrix", Invalid, [](Scene& s) { s.viewer.viewFromWorld(3, 0) = 0.1; }},
         {"NanInProjection", Invalid, [](Scene& s) { s.viewer.clipFromView(0, 0) = NaN; }},
         {"ZeroProjection", Invalid, [](Scene& s) { s.viewer.clipFromView.setZero(); }},
         {"SingularProjection", Invalid, [](Scene& s) { s.viewer.clipFromView.row(1).setZero(); }},
@@ -229,4 +236,14 @@ TEST(GarbageInput, OfAnyKindGivesAFiniteMapOrNone) {
         }
     });
     EXPECT_TRUE(holds);
+}
+
+TEST(ViewMatrix, MayBeMirroredOrHaveDrifted) {
+    FitState state;
+    Scene mirrored = outdoors();
+    mirrored.viewer.viewFromWorld.row(0) *= -1.0;
+    EXPECT_TRUE(fitUniform(mirrored.problem(), state).hasMap());
+    Scene drifted = outdoors();
+    drifted.viewer.viewFromWorld.topLeftCorner<3, 3>() *= 1.0001;
+    EXPECT_TRUE(fitUniform(drifted.problem(), state).hasMap());
 }
