@@ -1,6 +1,9 @@
 #include "fit/ConvexVolume.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <limits>
 
 namespace Lixel {
 namespace {
@@ -103,6 +106,40 @@ ConvexVolume viewVolume(const ShadowViewer& viewer) {
         }
     }
     return volume;
+}
+
+bool viewBounds(const ShadowViewer& viewer, Box& box) {
+    const Mat4 clipFromWorld = viewer.clipFromView * viewer.viewFromWorld;
+    const Mat4 worldFromClip = clipFromWorld.inverse();
+    Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 upper = -lower;
+    const auto include = [&](const Vec3& p) {
+        lower = lower.cwiseMin(p);
+        upper = upper.cwiseMax(p);
+    };
+    for (int i = 0; i < 4; ++i) {
+        const double x = (i & 1) != 0 ? 1.0 : -1.0;
+        const double y = (i & 2) != 0 ? 1.0 : -1.0;
+        const Vec4 nearCorner = worldFromClip * Vec4(x, y, -1.0, 1.0);
+        const Vec4 farCorner = worldFromClip * Vec4(x, y, 1.0, 1.0);
+        if (!(nearCorner.w() > 0.0)) return false;
+        const Vec3 a = nearCorner.head<3>() / nearCorner.w();
+        // The corner of the shadow distance lies on the same edge of the view, which runs towards
+        // farCorner - w * a, a direction also where the far corner itself is at infinity.
+        const Vec3 edge = farCorner.head<3>() - farCorner.w() * a;
+        const auto depth = [&](const Vec4& p) { return -viewer.viewFromWorld.row(2).dot(p); };
+        const double perUnit = depth(Vec4(edge.x(), edge.y(), edge.z(), 0.0));
+        double t =
+            farCorner.w() > 0.0 ? 1.0 / farCorner.w() : std::numeric_limits<double>::infinity();
+        if (viewer.shadowDistance > 0.0 && perUnit > 0.0)
+            t = std::min(t,
+                         (viewer.shadowDistance - depth(Vec4(a.x(), a.y(), a.z(), 1.0))) / perUnit);
+        if (!std::isfinite(t)) return false;
+        include(a);
+        include(a + std::max(t, 0.0) * edge);
+    }
+    box = {(lower + upper) / 2.0, (upper - lower) / 2.0};
+    return box.centre.allFinite() && box.halfExtents.allFinite();
 }
 
 std::array<Vec3, 8> corners(const Box& box) {

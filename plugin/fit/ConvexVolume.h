@@ -42,6 +42,10 @@ private:
 */
 ConvexVolume viewVolume(const ShadowViewer& viewer);
 
+/// Finds a box that holds what the viewer sees, for bodies without bounds.
+/// @return false where the view has no bounds either
+bool viewBounds(const ShadowViewer& viewer, Box& box);
+
 /// Scratch memory for clipping boxes, kept between frames so that nothing is allocated.
 struct ClipScratch {
     /// An edge between two vertices, and between two faces.

@@ -1,100 +1,16 @@
 #include "fit/FocusRegion.h"
 
 #include "fit/BoxQuery.h"
-
-#include <Eigen/LU>
+#include "fit/LightVolume.h"
 
 #include <algorithm>
 #include <bit>
 #include <limits>
-#include <numbers>
 
 namespace Lixel {
 namespace {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-/// Number of planes around a spot's cone. Eight overestimate its radius by 1/cos(π/8) = 8 %.
-constexpr int ConeSides = 8;
-
-/// The space a local light shines into, in world axes: in front of its near distance, within its
-/// range, inside a pyramid around its cone. Everything for a directional light.
-ConvexVolume lightVolume(const ShadowLight& light, const LightImage& image) {
-    ConvexVolume volume;
-    if (image.directional()) return volume;
-    const Vec3 axis = -image.lsFromWs().row(2).transpose();
-    const Vec3& eye = image.wsEye();
-    const auto add = [&](const Vec3& normal, double distance) {
-        volume.add(normal, -normal.dot(eye) - distance);
-    };
-    if (std::isfinite(light.range)) add(-axis, -light.range);
-    for (int i = 0; i < ConeSides; ++i) {
-        // In turns of 3/8, so that the first sides are apart: most bodies are beyond one of them.
-        const double turn = 2.0 * std::numbers::pi * (3 * i) / ConeSides;
-        const Vec3 side = image.lsFromWs().transpose() * Vec3(std::cos(turn), std::sin(turn), 0.0);
-        // The plane through the apex that touches the cone along `side`.
-        add(std::sin(light.outerHalfAngle) * axis - std::cos(light.outerHalfAngle) * side, 0.0);
-    }
-    add(axis, light.nearDistance);
-    return volume;
-}
-
-/// An affine function of world points, and its range over a box.
-struct Gauge {
-    Vec3 normal;
-    Vec3 absolute;
-    double offset;
-
-    Gauge(const Vec3& n, double d) : normal(n), absolute(n.cwiseAbs()), offset(d) {}
-    double at(const Vec3& ws) const { return normal.dot(ws) + offset; }
-    Vec2 over(const Box& box) const {
-        const double middle = at(box.centre);
-        const double reach = absolute.dot(box.halfExtents);
-        return {middle - reach, middle + reach};
-    }
-    /// The half spaces of values from `least` on, and up to `greatest`.
-    Plane from(double least) const { return {normal, offset - least}; }
-    Plane to(double greatest) const { return {-normal, greatest - offset}; }
-};
-
-/// Distance from the light along its axis.
-Gauge lsDepthOf(const LightImage& image) {
-    return {-image.lsFromWs().row(2).transpose(), image.lsFromWs().row(2).dot(image.wsEye())};
-}
-
-/// A box that holds the volume, for bodies without bounds; false where the volume has none either.
-bool boundsOf(const ShadowViewer& viewer, Box& box) {
-    const Mat4 clipFromWorld = viewer.clipFromView * viewer.viewFromWorld;
-    const Mat4 worldFromClip = clipFromWorld.inverse();
-    Vec3 lower = Vec3::Constant(Infinity);
-    Vec3 upper = -lower;
-    const auto include = [&](const Vec3& p) {
-        lower = lower.cwiseMin(p);
-        upper = upper.cwiseMax(p);
-    };
-    for (int i = 0; i < 4; ++i) {
-        const double x = (i & 1) != 0 ? 1.0 : -1.0;
-        const double y = (i & 2) != 0 ? 1.0 : -1.0;
-        const Vec4 nearCorner = worldFromClip * Vec4(x, y, -1.0, 1.0);
-        const Vec4 farCorner = worldFromClip * Vec4(x, y, 1.0, 1.0);
-        if (!(nearCorner.w() > 0.0)) return false;
-        const Vec3 a = nearCorner.head<3>() / nearCorner.w();
-        // The corner of the shadow distance lies on the same edge of the view, which runs towards
-        // farCorner - w * a, a direction also where the far corner itself is at infinity.
-        const Vec3 edge = farCorner.head<3>() - farCorner.w() * a;
-        const auto depth = [&](const Vec4& p) { return -viewer.viewFromWorld.row(2).dot(p); };
-        const double perUnit = depth(Vec4(edge.x(), edge.y(), edge.z(), 0.0));
-        double t = farCorner.w() > 0.0 ? 1.0 / farCorner.w() : Infinity;
-        if (viewer.shadowDistance > 0.0 && perUnit > 0.0)
-            t = std::min(t,
-                         (viewer.shadowDistance - depth(Vec4(a.x(), a.y(), a.z(), 1.0))) / perUnit);
-        if (!std::isfinite(t)) return false;
-        include(a);
-        include(a + std::max(t, 0.0) * edge);
-    }
-    box = {(lower + upper) / 2.0, (upper - lower) / 2.0};
-    return box.centre.allFinite() && box.halfExtents.allFinite();
-}
 
 /// Widens `range` to the values between `least` and `greatest`.
 void include(Vec2& range, double least, double greatest) {
@@ -390,7 +306,7 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
     visible.addAll(receivers);
     if (receivers.unbounded() > 0) {
         Box everything;
-        if (!boundsOf(problem.viewer, everything)) return stop(FitReason::Unbounded);
+        if (!viewBounds(problem.viewer, everything)) return stop(FitReason::Unbounded);
         visible.add(everything);
         region.reason = FitReason::UnboundedBody;
     }
