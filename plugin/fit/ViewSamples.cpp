@@ -130,12 +130,12 @@ void traceReceivers(const ShadowProblem& problem, const Mat4& clipFromWorld,
     castRays(clipFromWorld, scratch.rays);
     const Reach reach(clipFromWorld);
     std::size_t next = 0;
-    for (std::size_t i = 0; i < problem.receivers->boxes().size(); ++i) {
+    for (std::size_t i = 0; i < problem.receivers->size(); ++i) {
         if (next < problem.surfaces.size() && problem.surfaces[next].receiver == i) {
             ++next;
             continue;
         }
-        const Box& box = problem.receivers->boxes()[i];
+        const Box box = problem.receivers->box(i);
         reach.forEach(box, scratch.rays, [&](ViewSampleScratch::Ray& ray) { meet(box, ray); });
     }
     for (const KnownSurface& surface : problem.surfaces) {
