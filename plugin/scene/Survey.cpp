@@ -5,69 +5,16 @@
 #include <Eigen/LU>
 
 #include <OgreCamera.h>
-#include <OgreEntity.h>
-#include <OgreInstancedEntity.h>
-#include <OgreRenderQueue.h>
-#include <OgreRenderQueueSortingGrouping.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
-#include <OgreViewport.h>
-
-#include <algorithm>
 
 namespace Lixel {
-namespace {
-
-/// Whether an object is more than a place for others: cameras and lights are attached to nodes too,
-/// and instances, which their batch draws.
-bool isDrawn(const Ogre::MovableObject& object) {
-    constexpr Ogre::uint32 WithoutFactory = ~Ogre::uint32{0};
-    switch (object.getTypeFlags()) {
-    case Ogre::SceneManager::FRUSTUM_TYPE_MASK:
-    case Ogre::SceneManager::LIGHT_TYPE_MASK:
-        return false;
-    case WithoutFactory: // terrain, batches, instances, an application's own
-        return dynamic_cast<const Ogre::InstancedEntity*>(&object) == nullptr;
-    default:
-        return true;
-    }
-}
-
-/// Whether the object is too far from `lodCamera` to be drawn, as
-/// MovableObject::_notifyCurrentCamera decides; that function itself would change the object's
-/// state and fire its listeners.
-bool isBeyondRenderingDistance(const Ogre::MovableObject& object, const Ogre::Camera& lodCamera) {
-    const Ogre::Node* const node = object.getParentNode();
-    // The radius is the sphere's, scaled by the node as OGRE scales it.
-    const Ogre::Vector3& scale = node->_getDerivedScale();
-    const Ogre::Real factor = std::max({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});
-    const Ogre::Real reach = object.getRenderingDistance() + object.getBoundingRadius() * factor;
-    return node->getSquaredViewDepth(&lodCamera) > reach * reach;
-}
-
-/// Whether something on the object's bones receives, which is drawn with it but is on no node.
-template <typename Receives>
-bool attachmentReceives(const Ogre::MovableObject& object, const Receives& receives) {
-    const auto* const entity = dynamic_cast<const Ogre::Entity*>(&object);
-    if (entity == nullptr) return false;
-    const auto& attached = entity->getAttachedObjects();
-    return std::any_of(attached.begin(), attached.end(), [&](Ogre::MovableObject* child) {
-        return child->getVisible() && receives(*child);
-    });
-}
-
-} // namespace
-
 void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
+    mRules = SceneRules(viewer, viewport);
     mCasters.clear();
     mReceivers.clear();
     mUnboundedName.clear();
     mObjectCount = 0;
-
-    mCamera = &viewer;
-    mSceneManager = viewer.getSceneManager();
-    mVisibilityMask = viewport.getVisibilityMask() & mSceneManager->getVisibilityMask();
-    mCastersReceive = mSceneManager->getShadowTextureSelfShadow();
 
     // The matrix of the camera itself: without the argument it is the culling frustum's, if any.
     const Mat4 view = toDouble(Ogre::Matrix4(viewer.getViewMatrix(true)));
@@ -82,7 +29,7 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
     mViewer.clipFromView = toDouble(viewer.getProjectionMatrix());
     mView = viewVolume(mViewer);
 
-    visit(*mSceneManager->getRootSceneNode());
+    visit(*mRules.sceneManager().getRootSceneNode());
 }
 
 void Survey::visit(Ogre::SceneNode& node) {
@@ -93,23 +40,14 @@ void Survey::visit(Ogre::SceneNode& node) {
 }
 
 void Survey::visit(Ogre::MovableObject& object) {
-    // getVisible() is the object's own flag; isVisible() would answer for the last camera drawn.
-    if (!object.getVisible() || (object.getVisibilityFlags() & mVisibilityMask) == 0 ||
-        !isDrawn(object))
-        return;
+    if (!mRules.draws(object)) return;
     ++mObjectCount;
     const Ogre::AxisAlignedBox& bounds = object.getWorldBoundingBox();
     if (bounds.isNull()) return;
 
-    bool casts = object.getCastShadows();
-    bool withinDistance = true;
-    if (object.getRenderingDistance() > 0 && mCamera->getUseRenderingDistance()) {
-        // OGRE makes the viewer the level of detail camera of shadow cameras, whatever its own is.
-        casts = casts && !isBeyondRenderingDistance(object, *mCamera);
-        withinDistance = !isBeyondRenderingDistance(object, *mCamera->getLodCamera());
-    }
+    const bool casts = mRules.casts(object);
     if (bounds.isInfinite()) {
-        const bool received = withinDistance && receives(object);
+        const bool received = mRules.receives(object);
         if (casts) mCasters.addUnbounded();
         if (received) mReceivers.addUnbounded();
         if ((casts || received) && mUnboundedName.empty()) mUnboundedName = object.getName();
@@ -120,18 +58,8 @@ void Survey::visit(Ogre::MovableObject& object) {
     const Box box{(lower + upper) / 2.0, (upper - lower) / 2.0};
     if (casts) mCasters.add(box);
     // Asking the materials is the dearest question, so it comes last.
-    if (withinDistance && mView.classify(box) != ConvexVolume::Side::Outside && receives(object))
+    if (mView.classify(box) != ConvexVolume::Side::Outside && mRules.receives(object))
         mReceivers.add(box);
-}
-
-bool Survey::receives(Ogre::MovableObject& object) const {
-    const auto asked = [this](Ogre::MovableObject& body) {
-        return (mCastersReceive || !body.getCastShadows()) && body.getReceivesShadows();
-    };
-    return mSceneManager->getRenderQueue()
-               ->getQueueGroup(object.getRenderQueueGroup())
-               ->getShadowsEnabled() &&
-           (asked(object) || attachmentReceives(object, asked));
 }
 
 } // namespace Lixel

@@ -2,13 +2,13 @@
 
 #include "fit/ConvexVolume.h"
 #include "fit/ShadowProblem.h"
+#include "scene/SceneRules.h"
 
 #include <string>
 
 namespace Ogre {
 class Camera;
 class MovableObject;
-class SceneManager;
 class SceneNode;
 class Viewport;
 } // namespace Ogre
@@ -52,8 +52,6 @@ public:
 private:
     void visit(Ogre::SceneNode& node);
     void visit(Ogre::MovableObject& object);
-    /// As its materials, its render queue group and self-shadowing have it.
-    bool receives(Ogre::MovableObject& object) const;
 
     ShadowViewer mViewer;
     Vec3 mWsOrigin = Vec3::Zero();
@@ -63,10 +61,7 @@ private:
     std::size_t mObjectCount = 0;
 
     // While a survey is taken.
-    const Ogre::Camera* mCamera = nullptr;
-    Ogre::SceneManager* mSceneManager = nullptr;
-    unsigned mVisibilityMask = 0;
-    bool mCastersReceive = true;
+    SceneRules mRules;
     ConvexVolume mView;
 };
 

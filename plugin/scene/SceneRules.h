@@ -1,0 +1,44 @@
+#pragma once
+
+#include "fit/Types.h"
+
+namespace Ogre {
+class Camera;
+class MovableObject;
+class SceneManager;
+class Viewport;
+} // namespace Ogre
+
+namespace Lixel {
+
+/** What OGRE makes of an object for one viewer: whether it draws it, lets it cast and receive.
+
+    Every question is answered from the object as it is now; nothing is remembered of it, since OGRE
+    tells nobody that a flag or a material has changed.
+*/
+class LIXEL_API SceneRules {
+public:
+    SceneRules() = default;
+    /// Both must outlive the rules.
+    SceneRules(const Ogre::Camera& viewer, const Ogre::Viewport& viewport);
+
+    Ogre::SceneManager& sceneManager() const { return *mSceneManager; }
+
+    /// Whether it is drawn where it is in view: visible by its own flag and by the masks of scene
+    /// manager and viewport, and more than a place for others.
+    bool draws(const Ogre::MovableObject& object) const;
+    /// Whether it casts, of those that are drawn: as its `castShadows` says, within its rendering
+    /// distance.
+    bool casts(const Ogre::MovableObject& object) const;
+    /// Whether it receives, of those that are drawn: as its rendering distance, self-shadowing, its
+    /// render queue group and its materials have it.
+    bool receives(Ogre::MovableObject& object) const;
+
+private:
+    const Ogre::Camera* mCamera = nullptr;
+    Ogre::SceneManager* mSceneManager = nullptr;
+    unsigned mVisibilityMask = 0;
+    bool mCastersReceive = true;
+};
+
+} // namespace Lixel
