@@ -2,6 +2,7 @@
 
 #include "fit/Types.h"
 
+#include <OgreAxisAlignedBox.h>
 #include <OgreMatrix4.h>
 #include <OgreVector.h>
 
@@ -18,6 +19,13 @@ inline Mat4 toDouble(const Ogre::Matrix4& m) {
         for (int column = 0; column < 4; ++column)
             result(row, column) = m[row][column];
     return result;
+}
+
+/// A finite box relative to an origin.
+inline Box relativeBox(const Ogre::AxisAlignedBox& bounds, const Vec3& wsOrigin) {
+    const Vec3 lower = toDouble(bounds.getMinimum()) - wsOrigin;
+    const Vec3 upper = toDouble(bounds.getMaximum()) - wsOrigin;
+    return {(lower + upper) / 2.0, (upper - lower) / 2.0};
 }
 
 inline Ogre::Vector3 toOgre(const Vec3& v) {

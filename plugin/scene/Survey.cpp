@@ -1,18 +1,23 @@
 #include "scene/Survey.h"
 
+#include "scene/NodeWalk.h"
 #include "scene/OgreMath.h"
 
 #include <Eigen/LU>
 
 #include <OgreCamera.h>
-#include <OgreSceneManager.h>
+#include <OgreMovableObject.h>
 #include <OgreSceneNode.h>
 
+#include <limits>
+
 namespace Lixel {
+
 void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
     mRules = SceneRules(viewer, viewport);
-    mCasters.clear();
     mReceivers.clear();
+    mLower.setConstant(std::numeric_limits<double>::infinity());
+    mUpper = -mLower;
     mUnboundedName.clear();
     mObjectCount = 0;
 
@@ -29,14 +34,10 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
     mViewer.clipFromView = toDouble(viewer.getProjectionMatrix());
     mView = viewVolume(mViewer);
 
-    visit(*mRules.sceneManager().getRootSceneNode());
-}
-
-void Survey::visit(Ogre::SceneNode& node) {
-    for (Ogre::MovableObject* object : node.getAttachedObjects())
-        visit(*object);
-    for (Ogre::Node* child : node.getChildren())
-        visit(static_cast<Ogre::SceneNode&>(*child));
+    collectNodes(mRules.sceneManager(), CullVolume(mView, mWsOrigin), mNodes);
+    for (Ogre::SceneNode* node : mNodes)
+        for (Ogre::MovableObject* object : node->getAttachedObjects())
+            visit(*object);
 }
 
 void Survey::visit(Ogre::MovableObject& object) {
@@ -44,22 +45,19 @@ void Survey::visit(Ogre::MovableObject& object) {
     ++mObjectCount;
     const Ogre::AxisAlignedBox& bounds = object.getWorldBoundingBox();
     if (bounds.isNull()) return;
-
-    const bool casts = mRules.casts(object);
     if (bounds.isInfinite()) {
-        const bool received = mRules.receives(object);
-        if (casts) mCasters.addUnbounded();
-        if (received) mReceivers.addUnbounded();
-        if ((casts || received) && mUnboundedName.empty()) mUnboundedName = object.getName();
+        const bool receives = mRules.receives(object);
+        if (receives) mReceivers.addUnbounded();
+        if (mUnboundedName.empty() && (receives || mRules.casts(object)))
+            mUnboundedName = object.getName();
         return;
     }
-    const Vec3 lower = toDouble(bounds.getMinimum()) - mWsOrigin;
-    const Vec3 upper = toDouble(bounds.getMaximum()) - mWsOrigin;
-    const Box box{(lower + upper) / 2.0, (upper - lower) / 2.0};
-    if (casts) mCasters.add(box);
+    const Box box = relativeBox(bounds, mWsOrigin);
     // Asking the materials is the dearest question, so it comes last.
-    if (mView.classify(box) != ConvexVolume::Side::Outside && mRules.receives(object))
-        mReceivers.add(box);
+    if (mView.classify(box) == ConvexVolume::Side::Outside || !mRules.receives(object)) return;
+    mReceivers.add(box);
+    mLower = mLower.cwiseMin(box.centre - box.halfExtents);
+    mUpper = mUpper.cwiseMax(box.centre + box.halfExtents);
 }
 
 } // namespace Lixel

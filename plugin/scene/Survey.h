@@ -5,6 +5,7 @@
 #include "scene/SceneRules.h"
 
 #include <string>
+#include <vector>
 
 namespace Ogre {
 class Camera;
@@ -15,11 +16,11 @@ class Viewport;
 
 namespace Lixel {
 
-/** What casts and what receives, this frame, for this viewer.
+/** What receives shadows, this frame, in this viewer's view; CasterSearch finds who casts on it.
 
     OGRE prepares shadow textures before it finds what the main camera sees, so the bounds that it
     offers there are last frame's (OGRE's Focused, LiSPSM and PSSM setups lose all shadows for a
-    frame after a camera cut). The survey walks the scene graph instead, whose world boxes are this
+    frame after a camera cut). The survey walks the scene instead, whose world boxes are this
     frame's, under any scene manager that keeps movable objects on scene nodes.
 
     An object counts where OGRE would draw it: visible by its own flag, by the masks of scene
@@ -32,6 +33,8 @@ namespace Lixel {
 
     Boxes of objects that OGRE itself moves later in the frame (auto-tracking nodes, instance
     batches moved by nodes) are last frame's.
+
+    Nothing is kept from one survey to the next but memory.
 */
 class LIXEL_API Survey {
 public:
@@ -42,27 +45,31 @@ public:
     const ShadowViewer& viewer() const { return mViewer; }
     /// The viewer's position in the world, which all boxes are relative to.
     const Vec3& wsOrigin() const { return mWsOrigin; }
-    const BoxSet& casters() const { return mCasters; }
     const BoxSet& receivers() const { return mReceivers; }
+    /// The box around all receivers that have bounds; without one it is of no meaning.
+    Box receiverBounds() const { return {(mLower + mUpper) / 2.0, (mUpper - mLower) / 2.0}; }
     /// Name of an object without bounds that casts or receives; empty if there is none.
     const std::string& unboundedName() const { return mUnboundedName; }
-    /// Objects looked at, for statistics.
+    /// Objects looked at, for statistics: those in view or without bounds.
     std::size_t objectCount() const { return mObjectCount; }
+    /// What made an object count. Good for as long as the viewer and its viewport are.
+    const SceneRules& rules() const { return mRules; }
 
 private:
-    void visit(Ogre::SceneNode& node);
     void visit(Ogre::MovableObject& object);
 
+    SceneRules mRules;
     ShadowViewer mViewer;
     Vec3 mWsOrigin = Vec3::Zero();
-    BoxSet mCasters;
     BoxSet mReceivers;
+    Vec3 mLower = Vec3::Zero();
+    Vec3 mUpper = Vec3::Zero();
     std::string mUnboundedName;
     std::size_t mObjectCount = 0;
 
     // While a survey is taken.
-    SceneRules mRules;
     ConvexVolume mView;
+    std::vector<Ogre::SceneNode*> mNodes;
 };
 
 } // namespace Lixel

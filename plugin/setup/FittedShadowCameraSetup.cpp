@@ -1,5 +1,6 @@
 #include "setup/FittedShadowCameraSetup.h"
 
+#include "scene/CasterSearch.h"
 #include "scene/CasterVolume.h"
 #include "scene/OgreMath.h"
 #include "scene/SurveyCache.h"
@@ -24,9 +25,17 @@
 namespace Lixel {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+/// Microseconds.
+double since(Clock::time_point begin) {
+    return std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+}
+
 /// What is remembered of one light, viewer and map.
 struct MapMemory {
     FitState state;
+    CasterSearch casters;
     CasterVolume volume;
     FitReason lastReason = FitReason::None;
     bool warnedUnbounded = false;
@@ -121,6 +130,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     Ogre::SceneManager& sceneManager = *viewer->getSceneManager();
     guardLights(sceneManager);
 
+    const double shadowDistance = light->getShadowFarDistance();
     const TimedSurvey& timed = surveyFor(*viewer, *viewport);
     const Survey& survey = timed.survey;
     MapMemory& memory =
@@ -129,19 +139,20 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     const Ogre::Viewport& map = *shadowCamera->getViewport();
     ShadowProblem problem;
     problem.viewer = survey.viewer();
-    problem.viewer.shadowDistance = light->getShadowFarDistance();
+    problem.viewer.shadowDistance = shadowDistance;
     problem.light = describe(*light, *viewer, survey.wsOrigin());
-    problem.casters = &survey.casters();
+    const auto searchBegin = Clock::now();
+    problem.casters = &memory.casters.find(survey, problem.light, shadowDistance);
+    const double searchTime = since(searchBegin);
     problem.receivers = &survey.receivers();
     problem.mapWidth = map.getActualWidth();
     problem.mapHeight = map.getActualHeight();
     problem.filterRadius = mFilterRadius;
     problem.depthClamp = canClampDepth();
 
-    const auto begin = std::chrono::steady_clock::now();
+    const auto fitBegin = Clock::now();
     const ShadowFit result = fit(problem, memory.state);
-    const std::chrono::duration<double, std::micro> fitTime =
-        std::chrono::steady_clock::now() - begin;
+    const double fitTime = since(fitBegin);
 
     place(*shadowCamera, result, survey.wsOrigin());
     if (result.hasMap()) {
@@ -177,7 +188,8 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
                       .height = problem.mapHeight,
                       .depthBias = static_cast<double>(mDepthBias),
                       .surveyMicroseconds = timed.microseconds,
-                      .fitMicroseconds = fitTime.count()});
+                      .casterMicroseconds = searchTime,
+                      .fitMicroseconds = fitTime});
 }
 
 } // namespace Lixel

@@ -94,6 +94,7 @@ void ObservedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager* sceneM
                       .height = shadowCamera->getViewport()->getActualHeight(),
                       .depthBias = static_cast<double>(mDepthBias),
                       .surveyMicroseconds = 0.0,
+                      .casterMicroseconds = 0.0,
                       .fitMicroseconds = passed.count()});
 }
 

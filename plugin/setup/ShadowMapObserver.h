@@ -26,8 +26,10 @@ struct ShadowMap {
     int height;
     /// Receivers nearer than this to a caster along the light's axis stay lit, in world units.
     double depthBias;
-    /// CPU time in microseconds; the survey's is 0 where this map shares another's.
+    /// CPU time in microseconds: of the survey of what is seen, 0 where this map shares another's;
+    /// of the search for this light's casters; and of the fit.
     double surveyMicroseconds;
+    double casterMicroseconds;
     double fitMicroseconds;
 };
 

@@ -49,7 +49,7 @@ public:
     void beginFrame() { survey = fit = caster = 0.0; }
 
     void shadowMapFitted(const ShadowMap& map) override {
-        survey += map.surveyMicroseconds;
+        survey += map.surveyMicroseconds + map.casterMicroseconds;
         fit += map.fitMicroseconds;
         reason = toString(map.fit.reason);
         Ogre::RenderTarget* const target = map.shadowCamera.getViewport()->getTarget();

@@ -7,12 +7,13 @@
 // turns a little from frame to frame. Times are medians over the frames, in microseconds of wall
 // clock, so an idle core is all that the machine needs to give.
 //
-// The survey and OGRE's search for what is visible are
+// The survey (with the search for the sun's casters) and OGRE's search for what is visible are
 // timed in pairs, one right after the other, each the first in every other pair: so both find the
 // caches alike. The ratio is the median of the pairs' ratios.
 #include "HeadlessOgre.h"
 
-#include "scene/Survey.h"
+#include "scene/CasterSearch.h"
+#include "scene/OgreMath.h"
 #include "setup/ShadowMapObserver.h"
 #include "setup/UniformShadowCameraSetup.h"
 #include "setup/XPSMShadowCameraSetup.h"
@@ -107,7 +108,9 @@ public:
 /// Medians of walking the scene.
 struct Walks {
     double visibility = 0.0;
+    /// Of what is seen, and of who casts on it.
     double survey = 0.0;
+    double casters = 0.0;
     double ratio = 0.0;
 };
 
@@ -210,6 +213,8 @@ public:
 
     /// Times the survey and OGRE's search for what is visible, in pairs.
     Walks pair(int frames) {
+        const ShadowLight sun{.wsDirection = toDouble(mSun->getDerivedDirection())};
+        const double shadowDistance = mSun->getShadowFarDistance();
         const Ogre::Viewport& viewport = *mCamera->getViewport();
         double visibleTime = 0.0;
         const auto see = [&] {
@@ -219,21 +224,24 @@ public:
             mManager._findVisibleObjects(mCamera, &bounds, false);
             visibleTime = since(begin);
         };
-        std::vector<double> visible, survey, ratio;
+        std::vector<double> visible, survey, casters, ratio;
         for (int i = -6; i < frames; ++i) {
             turn(i);
             mManager._updateSceneGraph(mCamera);
             if (i % 2 == 0) see();
             const Clock::time_point begin = Clock::now();
             mSurvey.take(*mCamera, viewport);
+            const Clock::time_point middle = Clock::now();
+            mSearch.find(mSurvey, sun, shadowDistance);
             const Clock::time_point end = Clock::now();
             if (i % 2 != 0) see();
             if (i < 0) continue;
             visible.push_back(visibleTime);
-            survey.push_back(Microseconds(end - begin).count());
+            survey.push_back(Microseconds(middle - begin).count());
+            casters.push_back(Microseconds(end - middle).count());
             ratio.push_back(Microseconds(end - begin).count() / visibleTime);
         }
-        return {median(visible), median(survey), median(ratio)};
+        return {median(visible), median(survey), median(casters), median(ratio)};
     }
 
     /// How many objects the viewer sees now.
@@ -265,6 +273,7 @@ private:
     Ogre::Light* mSun = nullptr;
     std::vector<Ogre::Entity*> mCubes;
     Survey mSurvey;
+    CasterSearch mSearch;
 };
 
 void measure(HeadlessOgre& ogre, const std::string& manager, int objects, View view, int frames) {
@@ -274,11 +283,13 @@ void measure(HeadlessOgre& ogre, const std::string& manager, int objects, View v
     const Cost lispsm = field.measure(Ogre::LiSPSMShadowCameraSetup::create(), frames);
     const Cost uniform = field.measure(UniformShadowCameraSetup::create(), frames);
     const Cost xpsm = field.measure(XPSMShadowCameraSetup::create(), frames);
-    std::printf("%-7s %7d %6zu |%8.1f %8.1f %6.2f |%8.1f %8.1f %8.1f |%6zu %6zu |%8.0f %8.0f %8.0f "
-                "%8.0f\n",
-                manager.substr(0, manager.find("SceneManager")).c_str(), objects, field.inView(),
-                walks.visibility, walks.survey, walks.ratio, lispsm.setup, uniform.fit, xpsm.fit,
-                lispsm.casters, xpsm.casters, none.frame, lispsm.frame, uniform.frame, xpsm.frame);
+    std::printf(
+        "%-7s %7d %6zu |%8.1f %8.1f %8.1f %6.2f |%8.1f %8.1f %8.1f |%6zu %6zu |%8.0f %8.0f %8.0f "
+        "%8.0f\n",
+        manager.substr(0, manager.find("SceneManager")).c_str(), objects, field.inView(),
+        walks.visibility, walks.survey, walks.casters, walks.ratio, lispsm.setup, uniform.fit,
+        xpsm.fit, lispsm.casters, xpsm.casters, none.frame, lispsm.frame, uniform.frame,
+        xpsm.frame);
     std::fflush(stdout);
 }
 
@@ -299,10 +310,12 @@ int run(int argc, char** argv) {
     }
     HeadlessOgre ogre;
     std::printf("Medians over %d frames in microseconds; one directional light\n\n", frames);
-    std::printf("                       |walk of the scene        |one shadow camera           "
-                "|casters drawn|whole frame but for drawing\n");
-    std::printf("scene   objects   seen | visible   survey  ratio |  LiSPSM  Uniform     XPSM "
-                "|LiSPSM   XPSM |    none   LiSPSM  Uniform     XPSM\n");
+    std::printf(
+        "                       |walk of the scene                 |one shadow camera           "
+        "|casters drawn|whole frame but for drawing\n");
+    std::printf(
+        "scene   objects   seen | visible   survey  casters  ratio |  LiSPSM  Uniform     XPSM "
+        "|LiSPSM   XPSM |    none   LiSPSM  Uniform     XPSM\n");
     for (const std::string& manager : {DefaultManager, OctreeManager})
         for (const View view : {View::Inside, View::Outwards, View::Wall})
             for (const int objects : sizes)

@@ -19,6 +19,23 @@ namespace {
 
 constexpr unsigned WindowSize = 32;
 
+class OtherSceneManager : public Ogre::SceneManager {
+public:
+    using SceneManager::SceneManager;
+    const Ogre::String& getTypeName() const override { return OtherManager; }
+};
+
+class OtherSceneManagerFactory : public Ogre::SceneManagerFactory {
+public:
+    Ogre::SceneManager* createInstance(const Ogre::String& name) override {
+        return new OtherSceneManager(name);
+    }
+    void destroyInstance(Ogre::SceneManager* manager) override { delete manager; }
+
+private:
+    void initMetaData() const override { mMetaData.typeName = OtherManager; }
+};
+
 void createProgram(const std::string& name, Ogre::GpuProgramType type, const char* source) {
     auto program = Ogre::HighLevelGpuProgramManager::getSingleton().createProgram(
         name, Ogre::RGN_DEFAULT, "glsl", type);
@@ -38,6 +55,8 @@ HeadlessOgre::HeadlessOgre() {
     mRoot = std::make_unique<Ogre::Root>("", "", "");
     mRoot->loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus");
     mRoot->loadPlugin(OGRE_PLUGIN_DIR "/Plugin_OctreeSceneManager");
+    mOther = std::make_unique<OtherSceneManagerFactory>();
+    mRoot->addSceneManagerFactory(mOther.get());
     mRoot->setRenderSystem(mRoot->getAvailableRenderers().front());
     mRoot->initialise(false);
     Ogre::NameValuePairList parameters;

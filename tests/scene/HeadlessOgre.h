@@ -5,6 +5,7 @@
 #include <OgreRenderWindow.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
+#include <OgreSceneManagerEnumerator.h>
 
 #include <memory>
 #include <string>
@@ -14,7 +15,11 @@ namespace Lixel::Tests {
 inline const std::string DefaultManager = "DefaultSceneManager";
 inline const std::string OctreeManager = "OctreeSceneManager";
 
-/// OGRE with the GL3+ render system, both of its scene managers, and a tiny window without display.
+/// A scene manager of an application's own, of which nothing is known but its scene graph.
+inline const std::string OtherManager = "OtherSceneManager";
+
+/// OGRE with the GL3+ render system, both of its scene managers and another, and a tiny window
+/// without display.
 class HeadlessOgre {
 public:
     /// @exception std::runtime_error saying why it cannot draw headless
@@ -25,6 +30,7 @@ public:
 
 private:
     std::unique_ptr<Ogre::LogManager> mLogs;
+    std::unique_ptr<Ogre::SceneManagerFactory> mOther;
     std::unique_ptr<Ogre::Root> mRoot;
     Ogre::RenderWindow* mWindow = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include "HeadlessOgre.h"
 
+#include "scene/CasterSearch.h"
 #include "scene/Survey.h"
 
 #include <OgreAxisAlignedBox.h>
@@ -39,6 +40,8 @@ protected:
     /// Brings boxes and positions up to date, as OGRE does before it prepares shadow textures, and
     /// surveys what the viewer sees.
     const Survey& takeSurvey();
+    /// The casters of the scene surveyed.
+    const BoxSet& allCasters() { return mSearch.findAll(mSurvey); }
 
     /// One light, straight down unless told otherwise, with one shadow map and the given setup.
     Ogre::Light* addSun(const Ogre::ShadowCameraSetupPtr& setup,
@@ -51,6 +54,7 @@ protected:
     Ogre::SceneNode* mCameraNode = nullptr;
     Ogre::Viewport* mViewport = nullptr;
     Survey mSurvey;
+    CasterSearch mSearch;
 };
 
 /// A box of a set, back in the world.

@@ -26,10 +26,8 @@ protected:
     Ogre::ShadowCameraSetupPtr mProbe = std::make_shared<ProbeSetup>(
         [this](const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
             const TimedSurvey& timed = surveyFor(viewer, viewport);
-            Seen seen{&viewer, {}, timed.survey.wsOrigin(), timed.microseconds};
-            for (const Box& box : timed.survey.casters().boxes())
-                seen.casters.push_back(box);
-            mSeen.push_back(std::move(seen));
+            mSeen.push_back({&viewer, mSearch.findAll(timed.survey).boxes(),
+                             timed.survey.wsOrigin(), timed.microseconds});
         });
     Ogre::RenderTarget& window() { return *mViewport->getTarget(); }
 };
@@ -130,8 +128,8 @@ TEST_P(SurveyCacheTest, TwoSceneManagersDoNot) {
     Ogre::Camera* camera = other->createCamera("viewer");
     other->getRootSceneNode()->attachObject(camera);
     // Without objects, on the same viewport and in the same frame.
-    EXPECT_TRUE(surveyFor(*camera, *mViewport).survey.casters().empty());
-    EXPECT_EQ(surveyFor(*mCamera, *mViewport).survey.casters().size(), 1U);
+    EXPECT_TRUE(surveyFor(*camera, *mViewport).survey.receivers().empty());
+    EXPECT_EQ(surveyFor(*mCamera, *mViewport).survey.receivers().boxes().size(), 1U);
     // The survey goes with its scene manager, and one at the same address gets its own.
     mRoot.destroySceneManager(other);
     other = mRoot.createSceneManager(GetParam());

@@ -30,19 +30,21 @@ protected:
         return addCube(Vector3(0, 0, -10), 0.5f, receives);
     }
     bool casts(const Ogre::MovableObject& object) {
-        return holds(takeSurvey().casters(), mSurvey, object);
+        takeSurvey();
+        return holds(allCasters(), mSurvey, object);
     }
     bool receives(const Ogre::MovableObject& object) {
         return holds(takeSurvey().receivers(), mSurvey, object);
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(SceneManager, SurveyTest, testing::Values(DefaultManager, OctreeManager),
+INSTANTIATE_TEST_SUITE_P(SceneManager, SurveyTest,
+                         testing::Values(DefaultManager, OctreeManager, OtherManager),
                          [](const auto& test) { return test.param; });
 
 TEST_P(SurveyTest, OfAnEmptySceneIsEmpty) {
     takeSurvey();
-    EXPECT_TRUE(mSurvey.casters().empty());
+    EXPECT_TRUE(allCasters().empty());
     EXPECT_TRUE(mSurvey.receivers().empty());
     EXPECT_EQ(mSurvey.objectCount(), 0U);
 }
@@ -140,9 +142,9 @@ TEST_P(SurveyTest, IgnoresObjectsWithoutExtent) {
     mRootNode->attachObject(nothing);
     ASSERT_TRUE(nothing->getBoundingBox().isNull());
     takeSurvey();
-    EXPECT_TRUE(mSurvey.casters().empty());
+    EXPECT_TRUE(allCasters().empty());
     EXPECT_TRUE(mSurvey.receivers().empty());
-    EXPECT_EQ(mSurvey.casters().invalid() + mSurvey.receivers().invalid(), 0U);
+    EXPECT_EQ(allCasters().invalid() + mSurvey.receivers().invalid(), 0U);
 }
 
 TEST_P(SurveyTest, CountsObjectsWithoutBoundsAndNamesOne) {
@@ -155,14 +157,14 @@ TEST_P(SurveyTest, CountsObjectsWithoutBoundsAndNamesOne) {
     sky->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
     mRootNode->createChildSceneNode()->attachObject(sky);
     takeSurvey();
-    EXPECT_EQ(mSurvey.casters().unbounded(), 1U);
+    EXPECT_EQ(allCasters().unbounded(), 1U);
     EXPECT_EQ(mSurvey.receivers().unbounded(), 1U);
     EXPECT_EQ(mSurvey.unboundedName(), "sky");
     // As skies should be: they neither cast nor receive.
     sky->setCastShadows(false);
     sky->setRenderQueueGroup(Ogre::RENDER_QUEUE_SKIES_EARLY);
     takeSurvey();
-    EXPECT_EQ(mSurvey.casters().unbounded() + mSurvey.receivers().unbounded(), 0U);
+    EXPECT_EQ(allCasters().unbounded() + mSurvey.receivers().unbounded(), 0U);
     EXPECT_EQ(mSurvey.unboundedName(), "");
 }
 
@@ -194,7 +196,7 @@ TEST_P(SurveyTest, IgnoresCamerasAndLights) {
     mRootNode->attachObject(mManager->createCamera("another"));
     takeSurvey();
     EXPECT_EQ(mSurvey.objectCount(), 0U);
-    EXPECT_TRUE(mSurvey.casters().empty());
+    EXPECT_TRUE(allCasters().empty());
     EXPECT_TRUE(mSurvey.receivers().empty());
 }
 
@@ -203,7 +205,7 @@ TEST_P(SurveyTest, ForgetsWhatIsTakenOutOfTheScene) {
     EXPECT_TRUE(casts(*cube));
     mRootNode->removeChild(cube->getParentSceneNode());
     takeSurvey();
-    EXPECT_TRUE(mSurvey.casters().empty());
+    EXPECT_TRUE(allCasters().empty());
 }
 
 // Kinds of objects.
@@ -218,9 +220,9 @@ TEST_P(SurveyTest, FindsManualObjects) {
     mRootNode->createChildSceneNode(Vector3(0, 1, 0))->attachObject(triangle);
     EXPECT_TRUE(casts(*triangle));
     EXPECT_TRUE(receives(*triangle));
-    ASSERT_EQ(mSurvey.casters().size(), 1U);
-    EXPECT_TRUE(mSurvey.casters().box(0).centre.isApprox(Vec3(0, 2, -11)));
-    EXPECT_TRUE(mSurvey.casters().box(0).halfExtents.isApprox(Vec3(1, 1, 1)));
+    ASSERT_EQ(allCasters().boxes().size(), 1U);
+    EXPECT_TRUE(allCasters().boxes()[0].centre.isApprox(Vec3(0, 2, -11)));
+    EXPECT_TRUE(allCasters().boxes()[0].halfExtents.isApprox(Vec3(1, 1, 1)));
 }
 
 /// What applications derive themselves, without a factory: terrain tiles, for instance.
@@ -254,15 +256,15 @@ TEST_P(SurveyTest, FindsStaticGeometry) {
     mRootNode->removeChild(cube->getParentSceneNode());
     geometry->build();
     takeSurvey();
-    ASSERT_GE(mSurvey.casters().size(), 1U);
-    EXPECT_EQ(mSurvey.receivers().size(), mSurvey.casters().size());
+    ASSERT_GE(allCasters().boxes().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().boxes().size(), allCasters().boxes().size());
     Ogre::AxisAlignedBox all;
-    for (const Box& box : mSurvey.casters().boxes())
+    for (const Box& box : allCasters().boxes())
         all.merge(worldBox(box, mSurvey.wsOrigin()));
     EXPECT_TRUE(all.contains(Ogre::AxisAlignedBox(-0.5f, -0.5f, -20.5f, 9.5f, 0.5f, -19.5f)));
     geometry->setCastShadows(false);
     takeSurvey();
-    EXPECT_TRUE(mSurvey.casters().empty());
+    EXPECT_TRUE(allCasters().empty());
     EXPECT_FALSE(mSurvey.receivers().empty());
 }
 
@@ -280,14 +282,14 @@ TEST_P(SurveyTest, FindsHardwareInstances) {
     instances->_updateDirtyBatches();
     takeSurvey();
     // The batch, which draws them, and not each instance.
-    ASSERT_EQ(mSurvey.casters().size(), 1U);
-    const Ogre::AxisAlignedBox batch = worldBox(mSurvey.casters().box(0), mSurvey.wsOrigin());
+    ASSERT_EQ(allCasters().boxes().size(), 1U);
+    const Ogre::AxisAlignedBox batch = worldBox(allCasters().boxes()[0], mSurvey.wsOrigin());
     EXPECT_TRUE(batch.contains(Ogre::AxisAlignedBox(-3.5f, -0.5f, -10.5f, 3.5f, 0.5f, -9.5f)))
         << batch;
-    EXPECT_EQ(mSurvey.receivers().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
     instances->setSetting(Ogre::InstanceManager::CAST_SHADOWS, false);
     takeSurvey();
-    EXPECT_TRUE(mSurvey.casters().empty());
+    EXPECT_TRUE(allCasters().empty());
     mManager->destroyInstanceManager("instances");
 }
 
@@ -325,8 +327,8 @@ INSTANTIATE_TEST_SUITE_P(SceneManager, SkeletonSurveyTest,
 TEST_P(SkeletonSurveyTest, CountsObjectsOnBonesIntoTheirEntitysBox) {
     addArmed(false);
     takeSurvey();
-    ASSERT_EQ(mSurvey.casters().size(), 1U);
-    const Ogre::AxisAlignedBox box = worldBox(mSurvey.casters().box(0), mSurvey.wsOrigin());
+    ASSERT_EQ(allCasters().boxes().size(), 1U);
+    const Ogre::AxisAlignedBox box = worldBox(allCasters().boxes()[0], mSurvey.wsOrigin());
     EXPECT_TRUE(box.contains(Ogre::AxisAlignedBox(-0.5f, -0.5f, -10.5f, 2.5f, 0.5f, -9.5f))) << box;
     EXPECT_TRUE(mSurvey.receivers().empty());
 }
@@ -334,13 +336,13 @@ TEST_P(SkeletonSurveyTest, CountsObjectsOnBonesIntoTheirEntitysBox) {
 TEST_P(SkeletonSurveyTest, ReceivesWhereAnObjectOnABoneDoes) {
     addArmed(true);
     takeSurvey();
-    EXPECT_EQ(mSurvey.receivers().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
     mManager->setShadowTextureSelfShadow(false);
     takeSurvey();
     EXPECT_TRUE(mSurvey.receivers().empty());
     mArm->setCastShadows(false);
     takeSurvey();
-    EXPECT_EQ(mSurvey.receivers().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
     mArm->setVisible(false);
     takeSurvey();
     EXPECT_TRUE(mSurvey.receivers().empty());
@@ -356,12 +358,12 @@ TEST_P(SurveyTest, ComposesNestedTransforms) {
     Ogre::Entity* cube = addCube(Vector3(3, 0, 0), 0.5f, true, scaled);
     takeSurvey();
     // x turned onto -z and doubled.
-    ASSERT_EQ(mSurvey.casters().size(), 1U);
-    EXPECT_TRUE(mSurvey.casters().box(0).centre.isApprox(Vec3(0, 1, -26), 1e-6));
-    EXPECT_TRUE(mSurvey.casters().box(0).halfExtents.isApprox(Vec3::Ones(), 1e-6));
+    ASSERT_EQ(allCasters().boxes().size(), 1U);
+    EXPECT_TRUE(allCasters().boxes()[0].centre.isApprox(Vec3(0, 1, -26), 1e-6));
+    EXPECT_TRUE(allCasters().boxes()[0].halfExtents.isApprox(Vec3::Ones(), 1e-6));
     turned->setPosition(0, 0, -10);
     EXPECT_TRUE(casts(*cube));
-    EXPECT_TRUE(mSurvey.casters().box(0).centre.isApprox(Vec3(0, 1, -16), 1e-6));
+    EXPECT_TRUE(allCasters().boxes()[0].centre.isApprox(Vec3(0, 1, -16), 1e-6));
 }
 
 TEST_P(SurveyTest, KeepsExtentsPositiveUnderMirrors) {
@@ -369,8 +371,8 @@ TEST_P(SurveyTest, KeepsExtentsPositiveUnderMirrors) {
     cube->getParentSceneNode()->setScale(-2, 3, -1);
     EXPECT_TRUE(casts(*cube));
     EXPECT_TRUE(receives(*cube));
-    EXPECT_TRUE(mSurvey.casters().box(0).halfExtents.isApprox(Vec3(1, 1.5, 0.5)));
-    EXPECT_EQ(mSurvey.casters().invalid(), 0U);
+    EXPECT_TRUE(allCasters().boxes().at(0).halfExtents.isApprox(Vec3(1, 1.5, 0.5)));
+    EXPECT_EQ(allCasters().invalid(), 0U);
 }
 
 TEST_P(SurveyTest, IsExactFarFromTheWorldsOrigin) {
@@ -380,14 +382,14 @@ TEST_P(SurveyTest, IsExactFarFromTheWorldsOrigin) {
     addCube(far + Vector3(3, 0.375f, -10.25f));
     takeSurvey();
     EXPECT_EQ(mSurvey.wsOrigin(), toDouble(far) + Vec3(0.125, 0, 0));
-    ASSERT_EQ(mSurvey.casters().size(), 1U);
-    const Box& box = mSurvey.casters().box(0);
+    ASSERT_EQ(allCasters().boxes().size(), 1U);
+    const Box& box = allCasters().boxes()[0];
     EXPECT_EQ(box.centre.x(), 2.875);
     EXPECT_EQ(box.centre.z(), -10.25);
     EXPECT_EQ(box.halfExtents.x(), 0.5);
     // The ends of the box round to even there: 0.375 ± 0.5 are both between two floats.
     EXPECT_NEAR(box.centre.y(), 0.375, 0.0625);
-    EXPECT_EQ(mSurvey.receivers().size(), 1U);
+    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
 }
 
 TEST_P(SurveyTest, IsRelativeToAMirroredViewersEye) {
@@ -396,8 +398,8 @@ TEST_P(SurveyTest, IsRelativeToAMirroredViewersEye) {
     mCamera->enableReflection(Ogre::Plane(Vector3::UNIT_Y, 0));
     takeSurvey();
     EXPECT_TRUE(mSurvey.wsOrigin().isApprox(Vec3(1, -3, 2), 1e-6));
-    EXPECT_TRUE(mSurvey.casters().box(0).centre.isApprox(Vec3(-1, 1, -12), 1e-6));
-    EXPECT_EQ(mSurvey.receivers().size(), 1U);
+    EXPECT_TRUE(allCasters().boxes().at(0).centre.isApprox(Vec3(-1, 1, -12), 1e-6));
+    EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
     mCamera->disableReflection();
 }
 
@@ -418,11 +420,11 @@ TEST_P(SurveyTest, IsTakenAgainFromNothing) {
     Ogre::Entity* cube = addInView();
     takeSurvey();
     takeSurvey();
-    EXPECT_EQ(mSurvey.casters().size(), 1U);
+    EXPECT_EQ(allCasters().boxes().size(), 1U);
     EXPECT_EQ(mSurvey.objectCount(), 1U);
     mManager->destroyEntity(cube);
     takeSurvey();
-    EXPECT_TRUE(mSurvey.casters().empty());
+    EXPECT_TRUE(allCasters().empty());
 }
 
 } // namespace

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "fit/ConvexVolume.h"
+#include "fit/Polygon2.h"
+#include "scene/CullVolume.h"
+
+namespace Lixel {
+
+/** From where a caster can shadow what is seen, before anything is known of the casters.
+
+    All light rays that meet a point in view within the receivers' bounds, from the light (or from
+    infinity) to the farthest such point. CasterVolume is the same around a fit's focus region; this
+    one is larger, and decides which casters that fit is told of.
+*/
+class CasterReach {
+public:
+    /** @param viewer with the light's shadow distance
+        @param light one that `isUsable` is true for
+        @param receivers bounds of the receivers in view, relative to `wsOrigin`
+        @return false where no receiver is in view within that distance and lit: no caster matters
+    */
+    bool set(const ShadowViewer& viewer, const ShadowLight& light, const Box& receivers,
+             const Vec3& wsOrigin);
+
+    const CullVolume& volume() const { return mVolume; }
+
+    /// Whether a light has a single image, and its numbers mean something.
+    static bool isUsable(const ShadowLight& light);
+
+private:
+    CullVolume mVolume;
+    // Scratch memory.
+    ClipScratch mClip;
+    std::vector<Vec3> mWsPoints;
+    std::vector<Vec2> mPoints;
+    Polygon2 mHull;
+};
+
+} // namespace Lixel

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "scene/CasterReach.h"
+#include "scene/Survey.h"
+
+namespace Lixel {
+
+/** Finds the casters that can matter to one light, and keeps their boxes.
+
+    Those behind the viewer are among them: what decides is whether a light ray goes through the
+    caster's box to a point that is in view, within the receivers' bounds and the shadow distance.
+    A fit says the same with these casters as with all of the scene; in particular there is one
+    among them if there is any in the scene, so that "no caster" and "nothing is shadowed" stay
+    apart. Casters without bounds are always counted.
+
+    Only where the last such witness was found is remembered, and it is asked again.
+*/
+class LIXEL_API CasterSearch {
+public:
+    /// @param survey of the scene as it is now
+    /// @param light relative to the survey's origin
+    /// @param shadowDistance as ShadowViewer::shadowDistance
+    /// @return the casters, good until the next search
+    const BoxSet& find(const Survey& survey, const ShadowLight& light, double shadowDistance);
+
+    /// All casters of the scene, whatever they may shadow.
+    const BoxSet& findAll(const Survey& survey);
+
+private:
+    void collect(const Survey& survey, const CullVolume& volume);
+    /// @return whether the object casts
+    bool add(const Survey& survey, const Ogre::MovableObject& object);
+    void addWitness(const Survey& survey);
+    bool searchWitness(const Survey& survey, Ogre::SceneNode& node);
+
+    BoxSet mCasters;
+    CasterReach mReach;
+    std::vector<Ogre::SceneNode*> mNodes;
+    /// The way from the root node to a caster: which children to take, and which object in the end.
+    std::vector<std::size_t> mWitness;
+};
+
+} // namespace Lixel

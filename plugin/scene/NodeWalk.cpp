@@ -1,0 +1,53 @@
+#include "scene/NodeWalk.h"
+
+#include "scene/Octants.h"
+
+#include <OgreSceneManager.h>
+#include <OgreSceneManagerEnumerator.h>
+#include <OgreSceneNode.h>
+
+#include <typeinfo>
+
+namespace Lixel {
+namespace {
+
+class GraphWalk {
+public:
+    GraphWalk(const CullVolume& volume, std::vector<Ogre::SceneNode*>& nodes)
+        : mVolume(volume), mNodes(nodes) {}
+
+    void visit(Ogre::SceneNode& node) {
+        if (!node.getAttachedObjects().empty()) mNodes.push_back(&node);
+        for (Ogre::Node* const child : node.getChildren()) {
+            auto& sceneChild = static_cast<Ogre::SceneNode&>(*child);
+            if (!mVolume.excludes(sceneChild._getWorldAABB(), mGuess)) visit(sceneChild);
+        }
+    }
+
+private:
+    const CullVolume& mVolume;
+    std::vector<Ogre::SceneNode*>& mNodes;
+    std::size_t mGuess = 0;
+};
+
+void collectAll(Ogre::SceneNode& node, std::vector<Ogre::SceneNode*>& nodes) {
+    if (!node.getAttachedObjects().empty()) nodes.push_back(&node);
+    for (Ogre::Node* child : node.getChildren())
+        collectAll(static_cast<Ogre::SceneNode&>(*child), nodes);
+}
+
+} // namespace
+
+bool collectNodes(Ogre::SceneManager& manager, const CullVolume& volume,
+                  std::vector<Ogre::SceneNode*>& nodes) {
+    nodes.clear();
+    if (collectFromOctants(manager, volume, nodes)) return true;
+    const bool isDefault = typeid(manager) == typeid(Ogre::DefaultSceneManager);
+    if (isDefault)
+        GraphWalk(volume, nodes).visit(*manager.getRootSceneNode());
+    else
+        collectAll(*manager.getRootSceneNode(), nodes);
+    return isDefault;
+}
+
+} // namespace Lixel

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "scene/CullVolume.h"
+
+#include <vector>
+
+namespace Ogre {
+class SceneManager;
+class SceneNode;
+} // namespace Ogre
+
+namespace Lixel {
+
+/** Collects the scene nodes with objects that may touch a volume, as OGRE finds what a camera sees.
+
+    OGRE's own bounds of nodes decide, by which it culls too: of a node with all its children in the
+    default scene manager, of octants in the octree one. Who is left out here would not be drawn.
+    These bounds are this frame's wherever objects' boxes are: OGRE updates both at once. A scene
+    manager of another kind may mean something else by them; all of its nodes are collected.
+
+    @param nodes overwritten; good for as long as nobody else gets to change the scene
+    @return whether bounds decided: an object whose box is all of its node's need not be asked again
+*/
+bool collectNodes(Ogre::SceneManager& manager, const CullVolume& volume,
+                  std::vector<Ogre::SceneNode*>& nodes);
+
+} // namespace Lixel
