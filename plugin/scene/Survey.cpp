@@ -13,7 +13,8 @@
 
 namespace Lixel {
 
-void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
+void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
+                  double shadowDistance) {
     mRules = SceneRules(viewer, viewport);
     mReceivers.clear();
     mLower.setConstant(std::numeric_limits<double>::infinity());
@@ -32,7 +33,9 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
     mViewer.viewFromWorld = Mat4::Identity();
     mViewer.viewFromWorld.topLeftCorner<3, 3>() = rotation;
     mViewer.clipFromView = toDouble(viewer.getProjectionMatrix());
-    mView = viewVolume(mViewer);
+    ShadowViewer reach = mViewer;
+    reach.shadowDistance = shadowDistance;
+    mView = viewVolume(reach);
 
     collectNodes(mRules.sceneManager(), CullVolume(mView, mWsOrigin), mNodes);
     for (Ogre::SceneNode* node : mNodes)

@@ -39,7 +39,9 @@ namespace Lixel {
 class LIXEL_API Survey {
 public:
     /// Surveys the scene of `viewer`, as seen through `viewport`.
-    void take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport);
+    /// @param shadowDistance as ShadowViewer::shadowDistance: receivers beyond are left out
+    void take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
+              double shadowDistance = 0.0);
 
     /// The viewer: matrices relative to wsOrigin. Shadow distance is left 0: it is the light's.
     const ShadowViewer& viewer() const { return mViewer; }

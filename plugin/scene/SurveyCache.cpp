@@ -15,20 +15,22 @@ namespace {
 /// One scene manager's survey, which ends with the preparation that it was taken for.
 class CachedSurvey : public Ogre::SceneManager::Listener {
 public:
-    const TimedSurvey& get(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
+    const TimedSurvey& get(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
+                           double distance) {
         const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
-        if (mCamera == &viewer && mViewport == &viewport && mFrame == frame) {
+        if (mCamera == &viewer && mViewport == &viewport && mFrame == frame && reaches(distance)) {
             mTimed.microseconds = 0.0;
             return mTimed;
         }
         const auto begin = std::chrono::steady_clock::now();
-        mTimed.survey.take(viewer, viewport);
+        mTimed.survey.take(viewer, viewport, distance);
         const std::chrono::duration<double, std::micro> passed =
             std::chrono::steady_clock::now() - begin;
         mTimed.microseconds = passed.count();
         mCamera = &viewer;
         mViewport = &viewport;
         mFrame = frame;
+        mDistance = distance;
         return mTimed;
     }
 
@@ -36,10 +38,16 @@ public:
     void sceneManagerDestroyed(Ogre::SceneManager* source) override;
 
 private:
+    bool reaches(double distance) const {
+        return mDistance == 0.0 || (distance > 0.0 && distance <= mDistance);
+    }
+
     TimedSurvey mTimed;
     const Ogre::Camera* mCamera = nullptr;
     const Ogre::Viewport* mViewport = nullptr;
     unsigned long mFrame = 0;
+    /// 0: to the viewer's far plane.
+    double mDistance = 0.0;
 };
 
 std::map<Ogre::SceneManager*, std::unique_ptr<CachedSurvey>>& cache() {
@@ -53,14 +61,15 @@ void CachedSurvey::sceneManagerDestroyed(Ogre::SceneManager* source) {
 
 } // namespace
 
-const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
+const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
+                             double shadowDistance) {
     Ogre::SceneManager* const manager = viewer.getSceneManager();
     std::unique_ptr<CachedSurvey>& entry = cache()[manager];
     if (!entry) {
         entry = std::make_unique<CachedSurvey>();
         manager->addListener(entry.get());
     }
-    return entry->get(viewer, viewport);
+    return entry->get(viewer, viewport, shadowDistance);
 }
 
 } // namespace Lixel

@@ -131,7 +131,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     guardLights(sceneManager);
 
     const double shadowDistance = light->getShadowFarDistance();
-    const TimedSurvey& timed = surveyFor(*viewer, *viewport);
+    const TimedSurvey& timed = surveyFor(*viewer, *viewport, shadowDistance);
     const Survey& survey = timed.survey;
     MapMemory& memory =
         mMemory->of({light, viewer, iteration}, Ogre::Root::getSingleton().getNextFrameNumber());

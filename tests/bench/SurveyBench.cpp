@@ -230,7 +230,7 @@ public:
             mManager._updateSceneGraph(mCamera);
             if (i % 2 == 0) see();
             const Clock::time_point begin = Clock::now();
-            mSurvey.take(*mCamera, viewport);
+            mSurvey.take(*mCamera, viewport, shadowDistance);
             const Clock::time_point middle = Clock::now();
             mSearch.find(mSurvey, sun, shadowDistance);
             const Clock::time_point end = Clock::now();

@@ -23,9 +23,10 @@ struct Seen {
 class SurveyCacheTest : public SceneTest {
 protected:
     std::vector<Seen> mSeen;
+    double mDistance = 0.0;
     Ogre::ShadowCameraSetupPtr mProbe = std::make_shared<ProbeSetup>(
         [this](const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
-            const TimedSurvey& timed = surveyFor(viewer, viewport);
+            const TimedSurvey& timed = surveyFor(viewer, viewport, mDistance);
             mSeen.push_back({&viewer, mSearch.findAll(timed.survey).boxes(),
                              timed.survey.wsOrigin(), timed.microseconds});
         });
@@ -80,6 +81,26 @@ TEST_P(SurveyCacheTest, TwoLightsShareOneSurvey) {
     }
 }
 
+TEST_P(SurveyCacheTest, ALightOfFartherShadowsHasItTakenAgain) {
+    addCube(Vector3(0, 0, -10));
+    addCube(Vector3(0, 0, -30));
+    mManager->_updateSceneGraph(mCamera);
+    const auto seen = [&](double distance) {
+        return surveyFor(*mCamera, *mViewport, distance).survey.receivers().boxes().size();
+    };
+    const auto isNew = [&](double distance) {
+        return surveyFor(*mCamera, *mViewport, distance).microseconds > 0.0;
+    };
+    EXPECT_EQ(seen(20), 1U);
+    EXPECT_FALSE(isNew(20));
+    EXPECT_FALSE(isNew(15));
+    EXPECT_EQ(seen(40), 2U);
+    EXPECT_FALSE(isNew(20)) << "a survey that reaches farther does for both";
+    EXPECT_TRUE(isNew(0)) << "0 is as far as the viewer sees";
+    EXPECT_FALSE(isNew(40));
+    EXPECT_EQ(seen(40), 2U);
+}
+
 TEST_P(SurveyCacheTest, TwoCamerasOfOneFrameDoNot) {
     addSun(mProbe);
     addCube(Vector3(0, 0, -10));
@@ -128,14 +149,14 @@ TEST_P(SurveyCacheTest, TwoSceneManagersDoNot) {
     Ogre::Camera* camera = other->createCamera("viewer");
     other->getRootSceneNode()->attachObject(camera);
     // Without objects, on the same viewport and in the same frame.
-    EXPECT_TRUE(surveyFor(*camera, *mViewport).survey.receivers().empty());
-    EXPECT_EQ(surveyFor(*mCamera, *mViewport).survey.receivers().boxes().size(), 1U);
+    EXPECT_TRUE(surveyFor(*camera, *mViewport, 0.0).survey.receivers().empty());
+    EXPECT_EQ(surveyFor(*mCamera, *mViewport, 0.0).survey.receivers().boxes().size(), 1U);
     // The survey goes with its scene manager, and one at the same address gets its own.
     mRoot.destroySceneManager(other);
     other = mRoot.createSceneManager(GetParam());
     camera = other->createCamera("viewer");
     other->getRootSceneNode()->attachObject(camera);
-    EXPECT_GT(surveyFor(*camera, *mViewport).microseconds, 0.0);
+    EXPECT_GT(surveyFor(*camera, *mViewport, 0.0).microseconds, 0.0);
     mRoot.destroySceneManager(other);
 }
 
