@@ -363,14 +363,16 @@ void sortBoxes(std::vector<Box>& boxes) {
 }
 
 bool contains(const BoxSet& set, const Box& box) {
-    return std::any_of(set.boxes().begin(), set.boxes().end(), [&](const Box& other) {
+    return std::ranges::any_of(set.boxes(), [&](const Box& other) {
         return other.centre == box.centre && other.halfExtents == box.halfExtents;
     });
 }
 
 void expectSame(const BoxSet& found, const BoxSet& expected) {
-    std::vector<Box> a(found.boxes().begin(), found.boxes().end());
-    std::vector<Box> b(expected.boxes().begin(), expected.boxes().end());
+    std::vector<Box> a;
+    std::ranges::copy(found.boxes(), std::back_inserter(a));
+    std::vector<Box> b;
+    std::ranges::copy(expected.boxes(), std::back_inserter(b));
     ASSERT_EQ(a.size(), b.size());
     sortBoxes(a);
     sortBoxes(b);

@@ -27,8 +27,10 @@ protected:
     Ogre::ShadowCameraSetupPtr mProbe = std::make_shared<ProbeSetup>(
         [this](const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
             const TimedSurvey& timed = surveyFor(viewer, viewport, mDistance);
-            mSeen.push_back({&viewer, mSearch.findAll(timed.survey).boxes(),
-                             timed.survey.wsOrigin(), timed.microseconds});
+            Seen seen{&viewer, {}, timed.survey.wsOrigin(), timed.microseconds};
+            for (const Box& box : mSearch.findAll(timed.survey).boxes())
+                seen.casters.push_back(box);
+            mSeen.push_back(std::move(seen));
         });
     Ogre::RenderTarget& window() { return *mViewport->getTarget(); }
 };

@@ -371,7 +371,7 @@ TEST_P(SurveyTest, KeepsExtentsPositiveUnderMirrors) {
     cube->getParentSceneNode()->setScale(-2, 3, -1);
     EXPECT_TRUE(casts(*cube));
     EXPECT_TRUE(receives(*cube));
-    EXPECT_TRUE(allCasters().boxes().at(0).halfExtents.isApprox(Vec3(1, 1.5, 0.5)));
+    EXPECT_TRUE(allCasters().box(0).halfExtents.isApprox(Vec3(1, 1.5, 0.5)));
     EXPECT_EQ(allCasters().invalid(), 0U);
 }
 
@@ -398,7 +398,7 @@ TEST_P(SurveyTest, IsRelativeToAMirroredViewersEye) {
     mCamera->enableReflection(Ogre::Plane(Vector3::UNIT_Y, 0));
     takeSurvey();
     EXPECT_TRUE(mSurvey.wsOrigin().isApprox(Vec3(1, -3, 2), 1e-6));
-    EXPECT_TRUE(allCasters().boxes().at(0).centre.isApprox(Vec3(-1, 1, -12), 1e-6));
+    EXPECT_TRUE(allCasters().box(0).centre.isApprox(Vec3(-1, 1, -12), 1e-6));
     EXPECT_EQ(mSurvey.receivers().boxes().size(), 1U);
     mCamera->disableReflection();
 }
