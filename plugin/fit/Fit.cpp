@@ -1,7 +1,9 @@
 #include "fit/Fit.h"
 
+#include "fit/GivenMap.h"
 #include "fit/Warp.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -29,6 +31,11 @@ constexpr double PositionRounding = 4.0 * 0x1p-24;
 /// Least size of a texel at the region's centre, relative to the distance over which positions are
 /// measured: PositionRounding is an eighth of it.
 constexpr double LeastTexel = 0x1p-19;
+
+/// Most that a warp is counted with to magnify such rounding where its denominator is least. There
+/// a texel may be smaller than LeastTexel by more; rounding then shows, and no border makes up for
+/// it.
+constexpr double GreatestMagnification = 8.0;
 
 /// Relative difference of areas that is only rounding.
 constexpr double SameArea = 1e-12;
@@ -73,7 +80,8 @@ bool valid(const ShadowProblem& problem) {
     if (problem.casters == nullptr || problem.receivers == nullptr) return false;
     if (problem.mapWidth < 1 || problem.mapHeight < 1) return false;
     if (!(problem.filterRadius >= 0.0)) return false;
-    if (2.0 * (problem.filterRadius + 1.0 + RoundingTexels + PositionRounding / LeastTexel) >=
+    if (2.0 * (problem.filterRadius + 1.0 + RoundingTexels +
+               GreatestMagnification * PositionRounding / LeastTexel) >=
         std::min(problem.mapWidth, problem.mapHeight))
         return false;
     if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return false;
@@ -133,7 +141,9 @@ struct Placement {
 
 /// Places the rectangle, widened about its middle where it is too narrow.
 /// @param liReach the distance over which positions are measured, as a length in the light image
-Placement place(const ShadowProblem& problem, OrientedRectangle rectangle, double liReach) {
+/// @param magnification how much the warp enlarges the rounding of a position, where it does most
+Placement place(const ShadowProblem& problem, OrientedRectangle rectangle, double liReach,
+                double magnification) {
     Placement result{rectangle, Vec2::Zero(), Vec2(problem.mapWidth, problem.mapHeight)};
     const double longest = (rectangle.max - rectangle.min).maxCoeff();
     for (int axis = 0; axis < 2; ++axis) {
@@ -147,38 +157,60 @@ Placement place(const ShadowProblem& problem, OrientedRectangle rectangle, doubl
             upper = middle + least / 2.0;
         }
         const double texel = (upper - lower) / result.size[axis];
-        result.border[axis] =
-            problem.filterRadius + 1.0 + RoundingTexels + PositionRounding * liReach / texel;
+        result.border[axis] = problem.filterRadius + 1.0 + RoundingTexels +
+                              magnification * PositionRounding * liReach / texel;
     }
     return result;
 }
 
-/// Rows x, y and w of the map: the homography H, acting on ℓ.
-Mat3 homography(const Placement& placement, const Vec2& warp, const Vec2& centre) {
-    // q - c, warped: (q - c) / (1 + w . (q - c)), as a homography of ℓ = (q, 1).
+/// (q - c) / (1 + w . (q - c)), as a homography of ℓ = (q, 1).
+Mat3 warpMatrix(const Vec2& warp, const Vec2& centre) {
     Mat3 warped = Mat3::Identity();
     warped.topRightCorner<2, 1>() = -centre;
     warped.row(2) << warp.x(), warp.y(), 1.0 - warp.dot(centre);
+    return warped;
+}
+
+/// What makes a map of the warped light image, and the texels that it keeps free on each side.
+struct Affine {
+    Mat3 mapFromWarped;
+    Vec2 border;
+    double mapAngle;
+};
+
+/// The rectangle's sides, without the border, become -1 and 1.
+Affine affineFit(const Placement& placement) {
     const double cosine = std::cos(placement.rectangle.angle);
     const double sine = std::sin(placement.rectangle.angle);
     const double x = placement.scale(0);
     const double y = placement.scale(1);
-    Mat3 affine;
-    affine << x * cosine, x * sine, placement.offset(0), //
-        -y * sine, y * cosine, placement.offset(1),      //
+    Affine result{Mat3::Identity(), placement.border, placement.rectangle.angle};
+    result.mapFromWarped << x * cosine, x * sine, placement.offset(0), //
+        -y * sine, y * cosine, placement.offset(1),                    //
         0.0, 0.0, 1.0;
-    return affine * warped;
+    return result;
+}
+
+/// A map that is given whole, as the warp that its row w is and what is affine in it.
+Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp) {
+    const Mat3 h = homography / homography.row(2).dot(centre.homogeneous());
+    warp = h.row(2).head<2>();
+    return {h * warpMatrix(warp, centre).inverse(),
+            Vec2::Constant(filterRadius + 1.0 + RoundingTexels), 0.0};
 }
 
 /// The focus region and what a receiver's filter reaches beyond it, in the light image: the warped
 /// hull's sum with a rectangle of the map's border, unwarped.
-void growByBorder(const Placement& placement, const Vec2& warp, const Vec2& centre, FitState& state,
-                  Polygon2& grown) {
-    const Vec2 u(std::cos(placement.rectangle.angle), std::sin(placement.rectangle.angle));
-    // -1 to 1 is the map's size in texels.
-    const double bx = 2.0 * placement.border.x() / placement.size.x() / placement.scale(0);
-    const double by = 2.0 * placement.border.y() / placement.size.y() / placement.scale(1);
-    sumWithRectangle(state.warped, u, Vec2(bx, by), grown);
+void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, const Vec2& centre,
+                  FitState& state, Polygon2& grown) {
+    // In the map, whose sides are 2, and back.
+    const Mat3& map = affine.mapFromWarped;
+    const Mat3 back = map.inverse();
+    std::vector<Vec2>& points = state.scratch.points;
+    points.clear();
+    for (const Vec2& p : state.warped)
+        points.push_back(map.topLeftCorner<2, 2>() * p + map.topRightCorner<2, 1>());
+    sumWithRectangle(points, Vec2::UnitX(), 2.0 * affine.border.cwiseQuotient(size), grown);
     // 1 - w . p is one over the denominator. Where that stays well above 0, what is convex stays
     // so, and its vertices remain its vertices.
     double horizon = 1.0;
@@ -187,6 +219,7 @@ void growByBorder(const Placement& placement, const Vec2& warp, const Vec2& cent
     const double least = 0.5 * horizon;
     bool beyondHorizon = false;
     for (Vec2& p : grown) {
+        p = back.topLeftCorner<2, 2>() * p + back.topRightCorner<2, 1>();
         const double unwarped = 1.0 - warp.dot(p);
         beyondHorizon = beyondHorizon || unwarped < least;
         p = centre + p / std::max(unwarped, least);
@@ -195,7 +228,6 @@ void growByBorder(const Placement& placement, const Vec2& warp, const Vec2& cent
     // A few texels beyond the far end it may reach the horizon; half the hull's own least value
     // keeps the polygon finite. A corner held back is not on its own ray any more, so that the hull
     // itself belongs to the result as it is.
-    std::vector<Vec2>& points = state.scratch.points;
     points.assign(grown.begin(), grown.end());
     points.insert(points.end(), state.region.liHull.begin(), state.region.liHull.end());
     convexHull(points, grown);
@@ -245,17 +277,15 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
     };
     WarpChoice choice = rule(context);
     if (!choice.liWarp.allFinite()) choice = {Vec2::Zero(), FitReason::WarpClamped};
-    const double size =
-        (support(region.liHull, Vec2::UnitX()) + support(region.liHull, -Vec2::UnitX())) +
-        (support(region.liHull, Vec2::UnitY()) + support(region.liHull, -Vec2::UnitY()));
-    const double thickness = size / std::max(problem.mapWidth, problem.mapHeight);
-    if (pullIntoSafeSet(region.liHull, region.liCentre, thickness, choice.liWarp) < 1.0)
-        choice.reason = FitReason::WarpClamped;
-
-    // The affine fit around the warped region.
-    const double leastDenominator =
-        warpPolygon(region.liHull, region.liCentre, choice.liWarp, state.warped);
-    const OrientedRectangle rectangle = chooseRectangle(state.warped, image, state);
+    if (choice.homography) {
+        const Served served = cutToMap(*choice.homography, region, state.scratch);
+        if (served != Served::Everything) choice.reason = FitReason::PlaneCannotServe;
+        if (served == Served::Nothing) choice.homography.reset();
+    }
+    const bool given = choice.homography.has_value();
+    Affine affine{};
+    if (given)
+        affine = affineOf(*choice.homography, region.liCentre, problem.filterRadius, choice.liWarp);
     // How far from the origin, or from a local light, receivers are; anything but 0 where they are
     // a point at the origin.
     const bool directional = image.directional();
@@ -265,9 +295,23 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
     // Receivers in the first part of a spot's depth are few: rounding there must not cost the map.
     const double nearDepth =
         std::max(region.lsReceiverNear, region.lsReceiverFar * NearestExactDepth);
-    const Placement placement =
-        place(problem, rectangle, directional ? wsReach : wsReach / nearDepth);
-    const Mat3 h = homography(placement, choice.liWarp, region.liCentre);
+    const double liReach = directional ? wsReach : wsReach / nearDepth;
+    const double size =
+        (support(region.liHull, Vec2::UnitX()) + support(region.liHull, -Vec2::UnitX())) +
+        (support(region.liHull, Vec2::UnitY()) + support(region.liHull, -Vec2::UnitY()));
+    // A texel; or what is one to rounding, where the region is smaller than that.
+    const double thickness =
+        std::max(size / std::max(problem.mapWidth, problem.mapHeight), LeastTexel * liReach);
+    if (!given && pullIntoSafeSet(region.liHull, region.liCentre, thickness, choice.liWarp) < 1.0)
+        choice.reason = FitReason::WarpClamped;
+
+    // The affine fit around the warped region.
+    const double leastDenominator =
+        warpPolygon(region.liHull, region.liCentre, choice.liWarp, state.warped);
+    if (!given)
+        affine = affineFit(place(problem, chooseRectangle(state.warped, image, state), liReach,
+                                 std::min(1.0 / leastDenominator, GreatestMagnification)));
+    const Mat3 h = affine.mapFromWarped * warpMatrix(choice.liWarp, region.liCentre);
 
     // Depth: what receives, and no more, where casters before it are clamped onto its near end.
     double lsNear = region.lsReceiverNear;
@@ -311,13 +355,22 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
     fit.depthPerWorldUnit = 1.0 / (lsFar - lsNear);
     fit.liCentre = region.liCentre;
     fit.liWarp = choice.liWarp;
-    fit.mapAngle = rectangle.angle;
+    fit.mapAngle = affine.mapAngle;
     Polygon2& focus = state.scratch.polygon;
-    growByBorder(placement, choice.liWarp, region.liCentre, state, focus);
+    growByBorder(affine, Vec2(problem.mapWidth, problem.mapHeight), choice.liWarp, region.liCentre,
+                 state, focus);
     simplifyOutward(focus, FocusPolygon::Capacity);
     if (focus.size() > FocusPolygon::Capacity) return stop(FitReason::InvalidInput);
     fit.liFocus.count = focus.size();
     std::copy(focus.begin(), focus.end(), fit.liFocus.vertices.begin());
+
+    if (given)
+        // Where -w <= x <= w and -w <= y <= w.
+        for (const int row : {0, 1})
+            for (const double sign : {1.0, -1.0}) {
+                const Vec4 side = fit.clipFromWorld.row(3) + sign * fit.clipFromWorld.row(row);
+                fit.wsServed[fit.servedCount++] = side / side.head<3>().norm();
+            }
 
     if (!finite(fit.clipFromWorld) || !std::isfinite(fit.depthScale) ||
         !std::isfinite(fit.depthOffset) || !std::isfinite(fit.depthPerWorldUnit))

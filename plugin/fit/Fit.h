@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <memory>
+#include <optional>
 
 /** The one fit that every technique shares.
 
@@ -32,6 +33,10 @@ struct WarpContext {
 struct WarpChoice {
     Vec2 liWarp = Vec2::Zero();
     FitReason reason = FitReason::None;
+    /// Rows x, y and w of the whole map, acting on ℓ, of positive determinant: instead of a warp,
+    /// by a rule that wants the map to be this and no other. It is neither made safe nor fitted;
+    /// the focus region is cut to what it serves, and where nothing is left the map is uniform.
+    std::optional<Mat3> homography = std::nullopt;
 };
 
 /// A technique's rule, as a reference to a function object that outlives the call it is passed to.

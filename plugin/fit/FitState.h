@@ -32,6 +32,8 @@ struct FitState {
     /// The focus region's hull with few vertices, for evaluating many warps.
     Polygon2 simpleHull;
     TexelExtent extent;
+    /// The focus region's rays in another space, for rules that look from there.
+    std::vector<Vec3> directions;
     /// The last map's x axis, as a direction in the world: light space itself may turn about the
     /// light from one frame to the next.
     std::optional<Vec3> wsMapAxis;

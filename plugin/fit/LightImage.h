@@ -23,6 +23,13 @@ public:
     Vec3 lsFromPoint(const Vec3& ws) const { return mLsFromWs * (ws - mWsEye); }
     Vec3 lsFromDirection(const Vec3& ws) const { return mLsFromWs * ws; }
 
+    /// The light as a homogeneous point, in world axes: the kernel of Λ. Towards the light, of
+    /// length 1, for a directional one.
+    Vec4 wsLight() const;
+    /// A right inverse of Λ: homogeneous points, in world axes, on the rays ℓ. A linear map that is
+    /// zero at the light, times this, is that map as a function of ℓ.
+    Eigen::Matrix<double, 4, 3> wsFromOriented() const;
+
     /// ℓ of a light-space point.
     Vec3 oriented(const Vec3& ls) const { return {ls.x(), ls.y(), mDirectional ? 1.0 : -ls.z()}; }
     /// ℓ of a light-space direction: what the point gains per unit of travel.

@@ -14,6 +14,8 @@ const char* toString(FitReason reason) noexcept {
         return "warp clamped";
     case FitReason::UnboundedBody:
         return "a body without bounds";
+    case FitReason::PlaneCannotServe:
+        return "the plane is edge-on or cannot serve all";
     case FitReason::NoReceivers:
         return "no receiver in view";
     case FitReason::NoCasters:

@@ -16,6 +16,10 @@ enum class FitReason {
     WarpClamped,
     /// A body without bounds: the map is focused on everything the viewer sees.
     UnboundedBody,
+    /// The plane that the map is made for is edge-on to the light, and the warp has faded; or its
+    /// exact map does not serve all that is seen, and wsServed says what it does; or it serves
+    /// nothing (the plane is edge-on to the viewer too, or turned away), and the map is uniform.
+    PlaneCannotServe,
     // From here on there is no map to draw.
     /// No receiver is in view.
     NoReceivers,
@@ -85,8 +89,15 @@ struct ShadowFit {
     /// 1 + liWarp . (q - liCentre), positive all over the focus region.
     Vec2 liCentre = Vec2::Zero();
     Vec2 liWarp = Vec2::Zero();
-    /// Direction of the map's x axis in the warped light image, in radians in [0, π/2).
+    /// Direction of the map's x axis in the warped light image, in radians in [0, π/2); 0 for a map
+    /// that the technique gave whole.
     double mapAngle = 0.0;
+    /// Half spaces n . x + d >= 0 as (n, d), in world axes relative to the problem's origin,
+    /// bounded by planes through the light: receivers outside of any of them have no place in this
+    /// map. The first `servedCount` count; there are none for a map that was fitted, which serves
+    /// everything.
+    std::array<Vec4, 4> wsServed{};
+    std::size_t servedCount = 0;
 
     bool hasMap() const noexcept { return Lixel::hasMap(reason); }
 };

@@ -30,9 +30,19 @@ WarpExtent warpExtent(const Polygon2& hull, const Vec2& centre, const Vec2& warp
     `greatest` of its extent.
 
     Both are positively homogeneous in w, so the pull is one factor, continuous in w and hull.
+    @param epsilon the shared numerical bound, or more where a technique wants it
     @return the factor in (0, 1] by which `warp` was multiplied; 1 where it was safe.
 */
-double pullIntoSafeSet(const Polygon2& hull, const Vec2& centre, double thickness, Vec2& warp);
+double pullIntoSafeSet(const Polygon2& hull, const Vec2& centre, double thickness, Vec2& warp,
+                       double epsilon = WarpSafety);
+
+/** The warp whose denominator is an oriented covector's: h . (q, 1) = k (1 + w . (q - c)), k > 0.
+
+    A covector that is not positive at the centre, or hardly so, is no such warp; what is given then
+    runs in its direction, and is longer than any safe one. Pulled into the safe set, the result is
+    continuous in h as long as h is not the same all over the plane.
+*/
+Vec2 warpOf(const Vec3& covector, const Polygon2& hull, const Vec2& centre);
 
 /// The hull warped about the centre, q -> (q - c) / (1 + w . (q - c)).
 /// @return the least denominator, at most 1

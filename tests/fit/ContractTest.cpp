@@ -288,11 +288,14 @@ TEST_P(Contract, TheMapIsTight) {
             warpedGreatest = warpedGreatest.cwiseMax(warped);
         }
         const Vec2 sides = warpedGreatest - warpedLeast;
-        // Where float has steps of 2^-24 of: the farthest that the matrix is used at.
+        // Where float has steps of 2^-24 of: the farthest that the matrix is used at; for a local
+        // light as an angle, seen from it at the nearest receiver (or a 64th of the farthest's
+        // depth).
         double reach =
             fit.directional
                 ? std::max({std::abs(fit.lsNear), std::abs(fit.lsFar), state.region.vsReceiverFar})
-                : 1.0 + fit.wsEye.norm() / fit.lsFar;
+                : std::max(state.region.lsReceiverFar, fit.wsEye.norm()) /
+                      std::max(state.region.lsReceiverNear, state.region.lsReceiverFar / 64.0);
         for (const Vec2& q : hull)
             reach = std::max(reach, q.norm());
         const Vec2 size(scene.mapWidth, scene.mapHeight);

@@ -103,3 +103,33 @@ RC_GTEST_PROP(LightImage, OrientedCoordinatesAreAffineInThePoint, ()) {
                image.oriented(image.lsFromPoint(x)) - 3.0 * step)
                   .norm() < 1e-13);
 }
+
+TEST(LightImage, PointsOnRaysHaveTheRaysAsTheirImages) {
+    Dice dice(6);
+    for (const LightKind kind : {LightKind::Directional, LightKind::Spot}) {
+        ShadowLight light;
+        light.kind = kind;
+        light.wsDirection = dice.direction();
+        light.wsPosition = 10.0 * dice.cube();
+        const LightImage image(light);
+        // Λ by its rows, for homogeneous points.
+        Eigen::Matrix<double, 3, 4> lambda;
+        lambda.leftCols<3>() = image.lsFromWs();
+        lambda.col(3) = -image.lsFromWs() * image.wsEye();
+        if (image.directional())
+            lambda.row(2) = Vec4::UnitW().transpose();
+        else
+            lambda.row(2) *= -1.0;
+        const Vec3 ws = dice.cube();
+        EXPECT_LT(
+            (lambda * Vec4(ws.x(), ws.y(), ws.z(), 1.0) - image.oriented(image.lsFromPoint(ws)))
+                .norm(),
+            1e-12);
+        EXPECT_LT((lambda * image.wsFromOriented() - Mat3::Identity()).norm(), 1e-12);
+        EXPECT_LT((lambda * image.wsLight()).norm(), 1e-12);
+        // Towards the sun, or where the lamp is.
+        EXPECT_GT(image.wsLight().head<3>().dot(image.directional() ? Vec3(-light.wsDirection)
+                                                                    : light.wsPosition),
+                  0.0);
+    }
+}

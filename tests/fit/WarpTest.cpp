@@ -105,3 +105,34 @@ RC_GTEST_PROP(PullIntoSafeSet, IsContinuousInTheWarp, ()) {
     const double slope = 1.0 + (1.0 + WarpSafety) * radius / region.thickness;
     RC_ASSERT((a - b).norm() < std::sqrt(2.0) * Step * slope);
 }
+
+RC_GTEST_PROP(WarpOf, HasTheCovectorsDenominators, ()) {
+    Dice dice(*anySeed());
+    const Region region = anyRegion(dice);
+    Vec3 covector = dice.cube();
+    // Positive all over the region.
+    const WarpExtent extent = warpExtent(region.hull, region.centre, covector.head<2>(), 0.0);
+    const double atCentre = extent.least + dice.in(1e-2, 10.0);
+    covector.z() = atCentre - covector.head<2>().dot(region.centre);
+    const Vec2 warp = warpOf(covector, region.hull, region.centre);
+    for (const Vec2& q : region.hull)
+        RC_ASSERT(std::abs(1.0 + warp.dot(q - region.centre) -
+                           covector.dot(Vec3(q.x(), q.y(), 1.0)) / atCentre) <= 1e-9 / atCentre);
+}
+
+TEST(WarpOf, GoesOnAsTheCovectorTurnsNegative) {
+    // From where the pull sets in, through zero at the centre and beyond: one warp once it is safe.
+    Vec2 pulled = warpOf(Vec3(1.0, 0.0, 0.9), Square, Vec2::Zero());
+    (void)pullIntoSafeSet(Square, Vec2::Zero(), 0.0, pulled);
+    for (const double atCentre : {0.5, 1e-9, 0.0, -1e-9, -3.0, -1e9}) {
+        Vec2 warp = warpOf(Vec3(1.0, 0.0, atCentre), Square, Vec2::Zero());
+        EXPECT_TRUE(warp.allFinite());
+        EXPECT_LT(pullIntoSafeSet(Square, Vec2::Zero(), 0.0, warp), 1.0);
+        EXPECT_NEAR((warp - pulled).norm(), 0.0, 1e-12);
+    }
+}
+
+TEST(WarpOf, WithoutSlopeIsNone) {
+    EXPECT_EQ(warpOf(Vec3(0.0, 0.0, 2.0), Square, Vec2::Zero()), Vec2::Zero());
+    EXPECT_EQ(warpOf(Vec3::Zero(), Square, Vec2::Zero()), Vec2::Zero());
+}
