@@ -1,5 +1,6 @@
 #include "common/Setups.h"
 
+#include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
@@ -59,6 +60,7 @@ const std::vector<NamedSetup>& shadowSetups() {
         lixel<UniformShadowCameraSetup>("Uniform", "Lixel: uniform, focused on visible receivers"),
         lixel<XPSMShadowCameraSetup>("XPSM", "Lixel: extended perspective shadow map"),
         lixel<OptimalShadowCameraSetup>("Optimal", "Lixel: texels smallest where the viewer looks"),
+        lixel<LiSPSMShadowCameraSetup>("LiSPSM", "Lixel: light space perspective"),
         ogre<Ogre::DefaultShadowCameraSetup>("Ogre-Default", "OGRE: uniform"),
         ogre<Ogre::FocusedShadowCameraSetup>("Ogre-Focused", "OGRE: uniform, focused"),
         ogre<Ogre::LiSPSMShadowCameraSetup>("Ogre-LiSPSM", "OGRE: light space perspective"),

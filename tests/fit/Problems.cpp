@@ -1,6 +1,7 @@
 #include "Problems.h"
 
 #include "fit/Optimal.h"
+#include "fit/LiSPSM.h"
 #include "fit/Uniform.h"
 #include "fit/Xpsm.h"
 
@@ -315,8 +316,27 @@ const std::vector<Technique>& techniques() {
          }},
         {"Optimal", [](const ShadowProblem& problem,
                        FitState& state) { return fitOptimal(problem, {}, state); }},
+        {"LiSPSM", [](const ShadowProblem& problem,
+                      FitState& state) { return fitLiSPSM(problem, LiSPSMOptions{}, state); }},
     };
     return all;
+}
+
+bool isLostInRounding(const Scene& scene, const FitState& state) {
+    const FocusRegion& region = state.region;
+    double reach = std::max(
+        {std::abs(region.lsReceiverNear), std::abs(region.lsReceiverFar), region.liCentre.norm()});
+    if (scene.light.kind != LightKind::Directional)
+        reach = std::max(region.lsReceiverFar, scene.light.wsPosition.norm()) /
+                std::max(region.lsReceiverNear, region.lsReceiverFar / 64.0);
+    Vec2 least = Vec2::Constant(Infinity);
+    Vec2 greatest = -least;
+    for (const Vec2& q : region.liHull) {
+        least = least.cwiseMin(q);
+        greatest = greatest.cwiseMax(q);
+    }
+    // A hundred texels of 2^-19: what a warp with denominators of 1 to 32 must not be wrong by.
+    return (greatest - least).norm() < 100.0 * 0x1p-19 * reach;
 }
 
 Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws) {

@@ -108,6 +108,10 @@ struct ByName {
 /// Every technique with its default options.
 const std::vector<Technique>& techniques();
 
+/// Whether the focus region of a scene's last fit is too small for its warp to be told from float's
+/// rounding: the shared fit shortens any warp there.
+bool isLostInRounding(const Scene& scene, const FitState& state);
+
 /// Clip coordinates of a world point.
 Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws);
 

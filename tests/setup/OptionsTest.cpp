@@ -1,5 +1,6 @@
 // Wrong calls name their argument.
 
+#include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
@@ -72,6 +73,15 @@ TEST(Options, Optimal) {
     for (const int wrong : {-1, 0, 7, 4097})
         EXPECT_NE(refusal([&] { setup.setEvaluations(wrong); }).find("evaluations"),
                   std::string::npos);
+TEST(Options, LiSPSM) {
+    LiSPSMShadowCameraSetup setup;
+    EXPECT_EQ(setup.getDistanceFactor(), 1.0F);
+    setup.setDistanceFactor(0.5F);
+    EXPECT_EQ(setup.getDistanceFactor(), 0.5F);
+    for (const float wrong : {-1.0F, 0.0F, NaN, Infinity})
+        EXPECT_NE(refusal([&] { setup.setDistanceFactor(wrong); }).find("factor"),
+                  std::string::npos);
+    EXPECT_EQ(setup.getDistanceFactor(), 0.5F);
 }
 
 TEST(Options, NothingToObserve) {
