@@ -2,6 +2,7 @@
 
 #include "fit/Optimal.h"
 #include "fit/LiSPSM.h"
+#include "fit/Trapezoidal.h"
 #include "fit/Uniform.h"
 #include "fit/Xpsm.h"
 
@@ -318,6 +319,10 @@ const std::vector<Technique>& techniques() {
                        FitState& state) { return fitOptimal(problem, {}, state); }},
         {"LiSPSM", [](const ShadowProblem& problem,
                       FitState& state) { return fitLiSPSM(problem, LiSPSMOptions{}, state); }},
+        {"Trapezoidal",
+         [](const ShadowProblem& problem, FitState& state) {
+             return fitTrapezoidal(problem, TrapezoidalOptions{}, state);
+         }},
     };
     return all;
 }

@@ -2,6 +2,7 @@
 
 #include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
+#include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
@@ -82,6 +83,21 @@ TEST(Options, LiSPSM) {
         EXPECT_NE(refusal([&] { setup.setDistanceFactor(wrong); }).find("factor"),
                   std::string::npos);
     EXPECT_EQ(setup.getDistanceFactor(), 0.5F);
+}
+
+TEST(Options, Trapezoidal) {
+    TrapezoidalShadowCameraSetup setup;
+    EXPECT_EQ(setup.getFocusDistance(), 0.25F);
+    EXPECT_EQ(setup.getFocusShare(), 0.8F);
+    setup.setFocusDistance(0.1F);
+    setup.setFocusShare(0.5F);
+    EXPECT_EQ(setup.getFocusDistance(), 0.1F);
+    EXPECT_EQ(setup.getFocusShare(), 0.5F);
+    for (const float wrong : {-1.0F, 0.0F, 1.0F, NaN, Infinity}) {
+        EXPECT_NE(refusal([&] { setup.setFocusDistance(wrong); }).find("fraction"),
+                  std::string::npos);
+        EXPECT_NE(refusal([&] { setup.setFocusShare(wrong); }).find("share"), std::string::npos);
+    }
 }
 
 TEST(Options, NothingToObserve) {
