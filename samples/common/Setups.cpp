@@ -3,6 +3,7 @@
 #include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
+#include <Lixel/setup/PSMShadowCameraSetup.h>
 #include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
@@ -63,6 +64,7 @@ const std::vector<NamedSetup>& shadowSetups() {
         lixel<OptimalShadowCameraSetup>("Optimal", "Lixel: texels smallest where the viewer looks"),
         lixel<LiSPSMShadowCameraSetup>("LiSPSM", "Lixel: light space perspective"),
         lixel<TrapezoidalShadowCameraSetup>("Trapezoidal", "Lixel: trapezoid, 80 % for the near"),
+        lixel<PSMShadowCameraSetup>("PSM", "Lixel: perspective, in the viewer's space"),
         ogre<Ogre::DefaultShadowCameraSetup>("Ogre-Default", "OGRE: uniform"),
         ogre<Ogre::FocusedShadowCameraSetup>("Ogre-Focused", "OGRE: uniform, focused"),
         ogre<Ogre::LiSPSMShadowCameraSetup>("Ogre-LiSPSM", "OGRE: light space perspective"),

@@ -2,6 +2,7 @@
 
 #include "fit/Optimal.h"
 #include "fit/LiSPSM.h"
+#include "fit/Psm.h"
 #include "fit/Trapezoidal.h"
 #include "fit/Uniform.h"
 #include "fit/Xpsm.h"
@@ -323,6 +324,8 @@ const std::vector<Technique>& techniques() {
          [](const ShadowProblem& problem, FitState& state) {
              return fitTrapezoidal(problem, TrapezoidalOptions{}, state);
          }},
+        {"Psm", [](const ShadowProblem& problem,
+                   FitState& state) { return fitPsm(problem, PsmOptions{}, state); }},
     };
     return all;
 }

@@ -2,6 +2,7 @@
 
 #include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
+#include <Lixel/setup/PSMShadowCameraSetup.h>
 #include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
@@ -98,6 +99,15 @@ TEST(Options, Trapezoidal) {
                   std::string::npos);
         EXPECT_NE(refusal([&] { setup.setFocusShare(wrong); }).find("share"), std::string::npos);
     }
+}
+
+TEST(Options, Psm) {
+    PSMShadowCameraSetup setup;
+    EXPECT_EQ(setup.getSlideBack(), 0.25F);
+    setup.setSlideBack(0);
+    EXPECT_EQ(setup.getSlideBack(), 0.0F);
+    for (const float wrong : {-1.0F, NaN, Infinity})
+        EXPECT_NE(refusal([&] { setup.setSlideBack(wrong); }).find("slideBack"), std::string::npos);
 }
 
 TEST(Options, NothingToObserve) {
