@@ -69,6 +69,8 @@ struct ShadowProblem {
     /// Whether the render system clamps the depth of casters in front of the near plane instead of
     /// clipping them. Where it cannot, the depth range is stretched over all casters.
     bool depthClamp = true;
+    /// Where the problem's origin is in the world: for techniques that are given something there.
+    Vec3 wsOrigin = Vec3::Zero();
 };
 
 } // namespace Lixel

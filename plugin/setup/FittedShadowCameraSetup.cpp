@@ -149,6 +149,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     problem.mapHeight = map.getActualHeight();
     problem.filterRadius = mFilterRadius;
     problem.depthClamp = canClampDepth();
+    problem.wsOrigin = survey.wsOrigin();
 
     const auto fitBegin = Clock::now();
     const ShadowFit result = fit(problem, memory.state);

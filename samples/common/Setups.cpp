@@ -4,6 +4,7 @@
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/PSMShadowCameraSetup.h>
+#include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
 #include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
@@ -65,6 +66,8 @@ const std::vector<NamedSetup>& shadowSetups() {
         lixel<LiSPSMShadowCameraSetup>("LiSPSM", "Lixel: light space perspective"),
         lixel<TrapezoidalShadowCameraSetup>("Trapezoidal", "Lixel: trapezoid, 80 % for the near"),
         lixel<PSMShadowCameraSetup>("PSM", "Lixel: perspective, in the viewer's space"),
+        lixel<PlaneOptimalShadowCameraSetup>("PlaneOptimal",
+                                             "Lixel: warped as the ground plane wants it"),
         ogre<Ogre::DefaultShadowCameraSetup>("Ogre-Default", "OGRE: uniform"),
         ogre<Ogre::FocusedShadowCameraSetup>("Ogre-Focused", "OGRE: uniform, focused"),
         ogre<Ogre::LiSPSMShadowCameraSetup>("Ogre-LiSPSM", "OGRE: light space perspective"),

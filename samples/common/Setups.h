@@ -17,8 +17,8 @@ struct NamedSetup {
 
 /** Lixel's setups, then OGRE's own, which are observed so that they draw with the same materials.
 
-    Ogre-PSSM has one split: with additive shadows OGRE draws one map a light. Ogre-PlaneOptimal is
-    given the ground, the plane y = 0.
+    Ogre-PSSM has one split: with additive shadows OGRE draws one map a light. PlaneOptimal and
+    Ogre-PlaneOptimal are given the ground, the plane y = 0.
 */
 const std::vector<NamedSetup>& shadowSetups();
 

@@ -43,7 +43,7 @@ cmp headless.png window.png || fail "the window's picture is not the headless on
 
 xdotool key 1
 expect "^Uniform: "
-xdotool key 7
+xdotool key 8
 expect "^Ogre-Focused: "
 xdotool key 2
 expect "^XPSM: "

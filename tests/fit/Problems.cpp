@@ -2,6 +2,7 @@
 
 #include "fit/Optimal.h"
 #include "fit/LiSPSM.h"
+#include "fit/PlaneOptimal.h"
 #include "fit/Psm.h"
 #include "fit/Trapezoidal.h"
 #include "fit/Uniform.h"
@@ -302,6 +303,14 @@ rc::Gen<Scene> anyScene() {
     return build;
 }
 
+PlaneOptimalOptions groundOf(const ShadowProblem& problem) {
+    double lowest = Infinity;
+    if (problem.receivers != nullptr)
+        for (const Box& box : problem.receivers->boxes())
+            lowest = std::min(lowest, box.centre.y() - box.halfExtents.y());
+    return {.wsNormal = Vec3::UnitY(), .offset = std::isfinite(lowest) ? -lowest : 0.0};
+}
+
 std::ostream& operator<<(std::ostream& out, const Technique& technique) {
     return out << technique.name;
 }
@@ -326,6 +335,10 @@ const std::vector<Technique>& techniques() {
          }},
         {"Psm", [](const ShadowProblem& problem,
                    FitState& state) { return fitPsm(problem, PsmOptions{}, state); }},
+        {"PlaneOptimal",
+         [](const ShadowProblem& problem, FitState& state) {
+             return fitPlaneOptimal(problem, groundOf(problem), state);
+         }},
     };
     return all;
 }

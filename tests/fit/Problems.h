@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/FitState.h"
+#include "fit/PlaneOptimal.h"
 #include "fit/ShadowFit.h"
 #include "fit/ShadowProblem.h"
 
@@ -104,6 +105,9 @@ struct ByName {
         return info.param.name;
     }
 };
+
+/// The plane under all receivers, for the technique that wants one.
+PlaneOptimalOptions groundOf(const ShadowProblem& problem);
 
 /// Every technique with its default options.
 const std::vector<Technique>& techniques();

@@ -3,12 +3,14 @@
 #include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
 #include <Lixel/setup/PSMShadowCameraSetup.h>
+#include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
 #include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
 #include <OgreException.h>
+#include <OgreMovablePlane.h>
 
 #include <gtest/gtest.h>
 
@@ -108,6 +110,34 @@ TEST(Options, Psm) {
     EXPECT_EQ(setup.getSlideBack(), 0.0F);
     for (const float wrong : {-1.0F, NaN, Infinity})
         EXPECT_NE(refusal([&] { setup.setSlideBack(wrong); }).find("slideBack"), std::string::npos);
+}
+
+TEST(Options, PlaneOptimal) {
+    PlaneOptimalShadowCameraSetup setup;
+    EXPECT_FALSE(setup.getExact());
+    setup.setExact(true);
+    EXPECT_TRUE(setup.getExact());
+    EXPECT_EQ(setup.getPlane(), Ogre::Plane(Ogre::Vector3::UNIT_Y, 0));
+    const Ogre::Plane table(Ogre::Vector3::UNIT_Z, 3);
+    setup.setPlane(table);
+    EXPECT_EQ(setup.getPlane(), table);
+    for (const Ogre::Vector3& wrong :
+         {Ogre::Vector3::ZERO, Ogre::Vector3(NaN, 0, 0), Ogre::Vector3(Infinity, 0, 0)}) {
+        Ogre::Plane plane = table;
+        plane.normal = wrong;
+        EXPECT_NE(refusal([&] { setup.setPlane(plane); }).find("plane"), std::string::npos);
+    }
+    Ogre::Plane endless = table;
+    endless.d = Infinity;
+    EXPECT_NE(refusal([&] { setup.setPlane(endless); }).find("plane"), std::string::npos);
+    EXPECT_NE(refusal([&] {
+                  setup.setPlane(static_cast<const Ogre::MovablePlane*>(nullptr));
+              }).find("plane"),
+              std::string::npos);
+    EXPECT_EQ(setup.getPlane(), table);
+    const Ogre::MovablePlane floor(Ogre::Vector3::UNIT_X, 2);
+    setup.setPlane(&floor);
+    EXPECT_EQ(setup.getPlane(), static_cast<const Ogre::Plane&>(floor));
 }
 
 TEST(Options, NothingToObserve) {
