@@ -1,7 +1,7 @@
 #include "Problems.h"
 
-#include "fit/Optimal.h"
 #include "fit/LiSPSM.h"
+#include "fit/Optimal.h"
 #include "fit/PlaneOptimal.h"
 #include "fit/Psm.h"
 #include "fit/Trapezoidal.h"
