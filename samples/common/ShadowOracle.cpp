@@ -1,12 +1,13 @@
 #include "common/ShadowOracle.h"
 
+#include "common/Parallel.h"
+
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <stdexcept>
-#include <thread>
 
 namespace Lixel::Samples {
 namespace {
@@ -27,6 +28,8 @@ constexpr unsigned CastingMask = 2U; ///< met by shadow rays too
 */
 constexpr double RayOffset = 1.0 / (1 << 19);
 
+constexpr std::size_t PacketSize = 8; ///< rays that are traced at once
+
 struct DeviceRelease {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
 };
@@ -42,9 +45,23 @@ struct Group {
     std::vector<std::uint32_t> members;
 };
 
-/// Embree's filter for the viewer's rays: a triangle seen from behind is not drawn.
-void skipBackFaces(const RTCFilterFunctionNArguments* arguments) {
+/// What Embree hands on to the filter: which faces a query sees.
+struct FaceContext {
+    RTCIntersectContext embree; ///< first, as the filter is given its address
+    CasterFaces faces;
+
+    explicit FaceContext(CasterFaces seen) : faces(seen) {
+        rtcInitIntersectContext(&embree);
+        embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    }
+};
+
+/// Embree's filter for the viewer's and a map's rays: a face that is turned the other way is not
+/// drawn.
+void skipOtherFaces(const RTCFilterFunctionNArguments* arguments) {
     const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+    const bool fronts =
+        reinterpret_cast<const FaceContext*>(arguments->context)->faces == CasterFaces::Fronts;
     for (unsigned i = 0; i < arguments->N; ++i) {
         if (arguments->valid[i] == 0) continue;
         const unsigned n = arguments->N;
@@ -53,7 +70,8 @@ void skipBackFaces(const RTCFilterFunctionNArguments* arguments) {
             RTCRayN_dir_x(arguments->ray, n, i) * RTCHitN_Ng_x(arguments->hit, n, i) +
             RTCRayN_dir_y(arguments->ray, n, i) * RTCHitN_Ng_y(arguments->hit, n, i) +
             RTCRayN_dir_z(arguments->ray, n, i) * RTCHitN_Ng_z(arguments->hit, n, i);
-        if (facing >= 0.0F && !(*group.all)[member].drawnFromBack) arguments->valid[i] = 0;
+        const bool shown = fronts ? facing < 0.0F : facing > 0.0F;
+        if (!shown && !(*group.all)[member].drawnFromBack) arguments->valid[i] = 0;
     }
 }
 
@@ -99,20 +117,6 @@ private:
     double mHeight;
     Matrix4d mWsFromClip;
 };
-
-/// Calls `work(row)` for every row, on all processors.
-template <typename Work>
-void forEachRow(int rows, const Work& work) {
-    std::atomic<int> next{0};
-    const auto run = [&] {
-        for (int row = next++; row < rows; row = next++)
-            work(row);
-    };
-    std::vector<std::jthread> helpers;
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-        helpers.emplace_back(run);
-    run();
-}
 
 void requireDirection(const OracleLight& light) {
     const bool needed = light.kind != OracleLight::Kind::Point;
@@ -202,20 +206,18 @@ struct ShadowOracle::Impl {
                 *indices++ = vertex;
         rtcSetGeometryMask(geometry, mask);
         rtcSetGeometryUserData(geometry, &group);
-        rtcSetGeometryIntersectFilterFunction(geometry, skipBackFaces);
+        rtcSetGeometryIntersectFilterFunction(geometry, skipOtherFaces);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(embree.get(), geometry, mask);
         rtcReleaseGeometry(geometry);
     }
 
     std::optional<SurfacePoint> hit(const ViewRay& ray) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        FaceContext context(CasterFaces::Fronts);
         RTCRayHit query{};
         query.ray = makeRay(ray.origin - centre, ray.direction, ray.length, VisibleMask);
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(embree.get(), &context, &query);
+        rtcIntersect1(embree.get(), &context.embree, &query);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
         const Group& group = (query.hit.geomID & CastingMask) != 0 ? casting : others;
@@ -249,6 +251,33 @@ struct ShadowOracle::Impl {
         rtcOccluded1(embree.get(), &context, &ray);
         return ray.tfar < 0.0F;
     }
+
+    /// The first `count` of eight rays at once: neighbours meet the same nodes.
+    void firstCasters(const CasterRay* rays, double* distances, std::size_t count,
+                      CasterFaces faces) const {
+        alignas(32) std::array<int, PacketSize> valid{};
+        RTCRayHit8 query{};
+        for (std::size_t i = 0; i < count; ++i) {
+            valid[i] = rays[i].length > 0.0 ? -1 : 0;
+            const RTCRay ray =
+                makeRay(rays[i].origin - centre, rays[i].direction, rays[i].length, CastingMask);
+            query.ray.org_x[i] = ray.org_x;
+            query.ray.org_y[i] = ray.org_y;
+            query.ray.org_z[i] = ray.org_z;
+            query.ray.dir_x[i] = ray.dir_x;
+            query.ray.dir_y[i] = ray.dir_y;
+            query.ray.dir_z[i] = ray.dir_z;
+            query.ray.tfar[i] = ray.tfar;
+            query.ray.mask[i] = ray.mask;
+            query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        FaceContext context(faces);
+        rtcIntersect8(valid.data(), embree.get(), &context.embree, &query);
+        for (std::size_t i = 0; i < count; ++i)
+            distances[i] = valid[i] != 0 && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID
+                               ? static_cast<double>(query.ray.tfar[i])
+                               : std::numeric_limits<double>::infinity();
+    }
 };
 
 ShadowOracle::ShadowOracle(TriangleScene scene) : mImpl(std::make_unique<Impl>(std::move(scene))) {}
@@ -260,31 +289,35 @@ const TriangleScene& ShadowOracle::scene() const {
     return mImpl->scene;
 }
 
-Raster<std::optional<SurfacePoint>> ShadowOracle::visiblePoints(const OracleView& view) const {
+VisiblePoints ShadowOracle::visiblePoints(const OracleView& view) const {
     const ViewRays rays(view);
-    Raster<std::optional<SurfacePoint>> points{view.width, view.height, {}};
+    VisiblePoints points{view.width, view.height, {}};
     const auto width = static_cast<std::size_t>(view.width);
     points.pixels.resize(width * static_cast<std::size_t>(view.height));
-    forEachRow(view.height, [&](int row) {
-        for (int column = 0; column < view.width; ++column)
-            if (const auto ray = rays.through(column, row))
-                points.pixels[static_cast<std::size_t>(row) * width +
-                              static_cast<std::size_t>(column)] = mImpl->hit(*ray);
+    forEachPart(points.pixels.size(), width, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (const auto ray =
+                    rays.through(static_cast<int>(i % width), static_cast<int>(i / width)))
+                points.pixels[i] = mImpl->hit(*ray);
     });
     return points;
 }
 
 ShadowTruth ShadowOracle::classify(const OracleView& view, const OracleLight& light) const {
+    return classify(visiblePoints(view), view, light);
+}
+
+ShadowTruth ShadowOracle::classify(const VisiblePoints& points, const OracleView& view,
+                                   const OracleLight& light) const {
     requireDirection(light);
-    const Raster<std::optional<SurfacePoint>> points = visiblePoints(view);
-    ShadowTruth truth{view.width, view.height, {}};
+    ShadowTruth truth{points.width, points.height, {}};
     truth.pixels.resize(points.pixels.size(), PixelClass::Background);
-    const auto width = static_cast<std::size_t>(view.width);
-    forEachRow(view.height, [&](int row) {
-        const std::size_t first = static_cast<std::size_t>(row) * width;
-        for (std::size_t i = first; i < first + width; ++i)
-            if (points.pixels[i]) truth.pixels[i] = classifyPoint(*points.pixels[i], view, light);
-    });
+    forEachPart(points.pixels.size(), static_cast<std::size_t>(points.width),
+                [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i)
+                        if (points.pixels[i])
+                            truth.pixels[i] = classifyPoint(*points.pixels[i], view, light);
+                });
     return truth;
 }
 
@@ -315,6 +348,19 @@ PixelClass ShadowOracle::classifyPoint(const SurfacePoint& point, const OracleVi
 
 bool ShadowOracle::occluded(const SurfacePoint& point, const OracleLight& light) const {
     return mImpl->occluded(point, light);
+}
+
+void ShadowOracle::firstCasters(std::span<const CasterRay> rays, CasterFaces faces,
+                                std::span<double> distances) const {
+    if (rays.size() != distances.size())
+        throw std::invalid_argument("ShadowOracle: a distance is asked for each ray");
+    for (std::size_t i = 0; i < rays.size(); i += PacketSize)
+        mImpl->firstCasters(rays.data() + i, distances.data() + i,
+                            std::min(PacketSize, rays.size() - i), faces);
+}
+
+double ShadowOracle::rayOffset() const {
+    return mImpl->rayOffset;
 }
 
 } // namespace Lixel::Samples

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace Lixel::Samples {
@@ -69,6 +70,18 @@ struct Raster {
     }
 };
 using ShadowTruth = Raster<PixelClass>;
+/// What each pixel shows, if anything.
+using VisiblePoints = Raster<std::optional<SurfacePoint>>;
+
+/// Which faces of solid bodies are drawn; of triangles with Triangle::drawnFromBack both are.
+enum class CasterFaces : std::uint8_t { Fronts, Backs };
+
+/// A piece of a light ray on which a caster is looked for.
+struct CasterRay {
+    Eigen::Vector3d origin;    ///< relative to TriangleScene::wsOrigin
+    Eigen::Vector3d direction; ///< unit vector
+    double length;             ///< world units; nothing is met where it is not above 0
+};
 
 /** Exact hard shadows, by tracing rays against the scene's own triangles.
 
@@ -95,8 +108,12 @@ public:
     */
     ShadowTruth classify(const OracleView& view, const OracleLight& light) const;
 
-    /// What every pixel shows, if anything. Exceptions as classify.
-    Raster<std::optional<SurfacePoint>> visiblePoints(const OracleView& view) const;
+    /// The same for points that are known already: visiblePoints(view).
+    ShadowTruth classify(const VisiblePoints& points, const OracleView& view,
+                         const OracleLight& light) const;
+
+    /// What every pixel shows. Exceptions as classify.
+    VisiblePoints visiblePoints(const OracleView& view) const;
 
     /// The class of one visible point; of the view only its depth and shadow distance matter.
     PixelClass classifyPoint(const SurfacePoint& point, const OracleView& view,
@@ -104,6 +121,19 @@ public:
 
     /// Whether a casting triangle lies between the point and the light.
     bool occluded(const SurfacePoint& point, const OracleLight& light) const;
+
+    /** How far along each ray the first casting triangle is that shows it one of these faces.
+
+        On the calling thread; fastest where neighbouring rays are near one another.
+        @param[out] distances world units, as many as rays; infinite where there is none
+        @exception std::invalid_argument unless there are as many distances as rays
+    */
+    void firstCasters(std::span<const CasterRay> rays, CasterFaces faces,
+                      std::span<double> distances) const;
+
+    /// How far in front of its surface a shadow ray starts, in world units: what Embree's floats
+    /// may be wrong by in this scene, eight times over.
+    double rayOffset() const;
 
 private:
     struct Impl;
