@@ -46,6 +46,56 @@ public:
     OneSplitSetup() { setSplitPoints({1, 100, 200}); }
 };
 
+class OptimalLiSPSMSetup : public Ogre::LiSPSMShadowCameraSetup {
+public:
+    OptimalLiSPSMSetup() {
+        setUseSimpleOptimalAdjust(false);
+        setOptimalAdjustFactor(1);
+    }
+};
+
+constexpr std::size_t SplitCount = 3;
+
+/// Splits between the viewer's near plane and the shadow distance, as OGRE's sample has them.
+class ThreeSplitSetup : public Ogre::PSSMShadowCameraSetup {
+public:
+    ThreeSplitSetup() {
+        setOptimalAdjustFactor(0, 2);
+        setOptimalAdjustFactor(1, 1);
+        setOptimalAdjustFactor(2, Ogre::Real(0.5));
+    }
+    void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
+                         const Ogre::Viewport* viewport, const Ogre::Light* light,
+                         Ogre::Camera* shadowCamera, std::size_t iteration) const override {
+        const Ogre::Real reach = light->getShadowFarDistance();
+        // As in OneSplitSetup.
+        const_cast<ThreeSplitSetup*>(this)->setSplits(
+            *viewer, reach > 0 ? reach : viewer->getFarClipDistance());
+        PSSMShadowCameraSetup::getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera,
+                                               iteration);
+    }
+    void setSplits(const Ogre::Camera& viewer, Ogre::Real shadowDistance) {
+        setSplitPadding(viewer.getNearClipDistance());
+        calculateSplitPoints(SplitCount, viewer.getNearClipDistance(), shadowDistance);
+    }
+};
+
+NamedSetup threeSplits() {
+    NamedSetup setup;
+    setup.name = "Ogre-PSSM-3";
+    setup.title = "OGRE: parallel split, three splits";
+    setup.create = [] {
+        return ObservedShadowCameraSetup::create(std::make_shared<ThreeSplitSetup>());
+    };
+    setup.maps = SplitCount;
+    setup.splitDepths = [](const Ogre::Camera& viewer, double shadowDistance) {
+        ThreeSplitSetup splits;
+        splits.setSplits(viewer, static_cast<Ogre::Real>(shadowDistance));
+        return std::vector<double>(splits.getSplitPoints().begin(), splits.getSplitPoints().end());
+    };
+    return setup;
+}
+
 template <typename T>
 NamedSetup lixel(const std::string& name, const std::string& title) {
     return {name, title, [] { return T::create(); }};
@@ -71,9 +121,20 @@ const std::vector<NamedSetup>& shadowSetups() {
         ogre<Ogre::DefaultShadowCameraSetup>("Ogre-Default", "OGRE: uniform"),
         ogre<Ogre::FocusedShadowCameraSetup>("Ogre-Focused", "OGRE: uniform, focused"),
         ogre<Ogre::LiSPSMShadowCameraSetup>("Ogre-LiSPSM", "OGRE: light space perspective"),
+        ogre<OptimalLiSPSMSetup>("Ogre-LiSPSM-Optimal",
+                                 "OGRE: light space perspective, its optimal parameter"),
         ogre<OneSplitSetup>("Ogre-PSSM", "OGRE: parallel split, one split"),
         ogre<GroundOptimalSetup>("Ogre-PlaneOptimal", "OGRE: optimal for the ground plane"),
     };
+    return setups;
+}
+
+const std::vector<NamedSetup>& emulatedSetups() {
+    static const std::vector<NamedSetup> setups = [] {
+        std::vector<NamedSetup> all = shadowSetups();
+        all.push_back(threeSplits());
+        return all;
+    }();
     return setups;
 }
 

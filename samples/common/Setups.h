@@ -13,16 +13,31 @@ struct NamedSetup {
     std::string name;
     std::string title; ///< one line for people
     std::function<Ogre::ShadowCameraSetupPtr()> create;
+    /// Maps of one light; above 1 each serves a range of view depths.
+    std::size_t maps = 1;
+    /// Where these ranges meet, for more than one map: maps + 1 view depths in world units, from
+    /// the viewer and how far shadows reach.
+    std::function<std::vector<double>(const Ogre::Camera& viewer, double shadowDistance)>
+        splitDepths = {};
 };
 
 /** Lixel's setups, then OGRE's own, which are observed so that they draw with the same materials.
 
-    Ogre-PSSM has one split: with additive shadows OGRE draws one map a light. PlaneOptimal and
+    All have one map. Ogre-PSSM has one split: with additive shadows OGRE draws one map a light.
+    Ogre-LiSPSM-Optimal derives its parameter from the scene's depths (Wimmer et al. 2004) instead
+    of the viewer's planes. PlaneOptimal and
     Ogre-PlaneOptimal are given the ground, the plane y = 0.
 */
 const std::vector<NamedSetup>& shadowSetups();
 
-/// The setup of that name; null when there is none.
+/** All that can be measured by emulation: shadowSetups(), then those with several maps.
+
+    Ogre-PSSM-3 splits and weighs as OGRE's own sample does: three splits between near plane and
+    shadow distance, padded by the near distance, with adjust factors 2, 1 and 0.5.
+*/
+const std::vector<NamedSetup>& emulatedSetups();
+
+/// The setup of that name among shadowSetups(); null when there is none.
 const NamedSetup* findShadowSetup(const std::string& name);
 
 } // namespace Lixel::Samples
