@@ -1,0 +1,89 @@
+#include "common/MapCapture.h"
+
+#include <OgreCamera.h>
+#include <OgreRenderSystem.h>
+
+#include <cmath>
+
+namespace Lixel::Samples {
+namespace {
+
+/** Frames until OGRE's setups have settled: the first finds what the viewer sees, the second what
+    the shadow camera sees that is set up from it, the third is set up from both. */
+constexpr int SettlingFrames = 3;
+
+/// Matrix' receivers multiply world positions with, which are rounded to float as programs get
+/// What programs multiply world positions with, relative to `wsOrigin`; they get it as floats.
+Eigen::Matrix4d asDrawn(const ShadowMap& map, const Eigen::Vector3d& wsOrigin) {
+    Eigen::Affine3d fitFromWorld = Eigen::Affine3d::Identity();
+    fitFromWorld.translation() = -map.wsOrigin;
+    Eigen::Affine3d worldFromOrigin = Eigen::Affine3d::Identity();
+    worldFromOrigin.translation() = wsOrigin;
+    const Eigen::Matrix4d clipFromWorld =
+        (map.fit.clipFromWorld * fitFromWorld.matrix()).cast<float>().cast<double>();
+    return clipFromWorld * worldFromOrigin.matrix();
+}
+
+} // namespace
+
+MapCapture::MapCapture(Stage& stage) : mStage(stage) {
+    // Among no render queues at all: objects are found, and none is drawn.
+    mStage.sceneManager().setSpecialCaseRenderQueueMode(Ogre::SceneManager::SCRQM_INCLUDE);
+    addShadowMapObserver(*this);
+}
+
+MapCapture::~MapCapture() {
+    removeShadowMapObserver(*this);
+    mStage.sceneManager().setSpecialCaseRenderQueueMode(Ogre::SceneManager::SCRQM_EXCLUDE);
+    setMaps(mMapSize, 1);
+}
+
+void MapCapture::setMaps(int mapSize, std::size_t count) {
+    if (mapSize == mMapSize && count == mMapCount) return;
+    Ogre::SceneManager& manager = mStage.sceneManager();
+    const double side = mapSize / std::sqrt(static_cast<double>(count));
+    for (const auto type : {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT})
+        manager.setShadowTextureCountPerLightType(type, count);
+    manager.setShadowTextureSettings(static_cast<Ogre::ushort>(std::lround(side)),
+                                     static_cast<Ogre::ushort>(count), Ogre::PF_FLOAT32_R);
+    mMapSize = mapSize;
+    mMapCount = count;
+}
+
+std::vector<EmulatedMap> MapCapture::capture(const NamedSetup& setup, int mapSize,
+                                             double shadowDistance,
+                                             const Eigen::Vector3d& wsOrigin) {
+    mOrigin = wsOrigin;
+    const Ogre::ShadowCameraSetupPtr instance = setup.create();
+    const bool fitted = dynamic_cast<FittedShadowCameraSetup*>(instance.get()) != nullptr;
+    // Lixel's setups clamp where the render system can; OGRE's never do.
+    mClampsDepth = fitted && mStage.root().getRenderSystem()->getCapabilities()->hasCapability(
+                                 Ogre::RSC_DEPTH_CLAMP);
+    setMaps(mapSize, setup.maps);
+    mStage.setShadowSetup(instance);
+    const int frames = fitted ? 1 : SettlingFrames;
+    for (int i = 0; i < frames; ++i) {
+        mMaps.assign(setup.maps, EmulatedMap{});
+        mStage.drawFrame();
+    }
+    if (setup.maps > 1) {
+        const std::vector<double> depths = setup.splitDepths(mStage.camera(), shadowDistance);
+        for (std::size_t i = 0; i < setup.maps; ++i) {
+            mMaps[i].beginDepth = i == 0 ? 0.0 : depths.at(i);
+            mMaps[i].endDepth = depths.at(i + 1);
+        }
+    }
+    return mMaps;
+}
+
+void MapCapture::shadowMapFitted(const ShadowMap& map) {
+    if (&map.light != &mStage.light() || map.iteration >= mMaps.size()) return;
+    EmulatedMap& emulated = mMaps[map.iteration];
+    emulated.width = map.width;
+    emulated.height = map.height;
+    emulated.clampsDepth = mClampsDepth;
+    emulated.depthPerWorldUnit = map.fit.depthPerWorldUnit;
+    if (map.fit.hasMap()) emulated.clipFromWs = asDrawn(map, mOrigin);
+}
+
+} // namespace Lixel::Samples

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "common/MapEmulation.h"
+#include "common/Setups.h"
+#include "common/Stage.h"
+
+#include <Lixel/setup/ShadowMapObserver.h>
+
+namespace Lixel::Samples {
+
+/** Shadow maps' matrices, as OGRE would draw with them, without drawing anything.
+
+    While one lives, the stage's frames find what is visible and set shadow cameras up, but draw
+    nothing. The stage's map settings and the light's setup are left changed.
+*/
+class MapCapture : private ShadowMapObserver {
+public:
+    explicit MapCapture(Stage& stage);
+    ~MapCapture() override;
+    MapCapture(const MapCapture&) = delete;
+    MapCapture& operator=(const MapCapture&) = delete;
+
+    /** The maps that a new instance of a setup gives the stage's light for its camera.
+
+        OGRE's setups use what was visible in the frame before, so they get as many frames as it
+        takes until that no longer changes.
+        @param mapSize side of the map in texels; several maps share as many texels
+        @param shadowDistance view-space depth that shadows reach, for setups that split the view
+        @param wsOrigin what the emulation's positions are relative to, in world coordinates
+    */
+    std::vector<EmulatedMap> capture(const NamedSetup& setup, int mapSize, double shadowDistance,
+                                     const Eigen::Vector3d& wsOrigin);
+
+private:
+    void shadowMapFitted(const ShadowMap& map) override;
+    void setMaps(int mapSize, std::size_t count);
+
+    Stage& mStage;
+    int mMapSize = 0;
+    std::size_t mMapCount = 0;
+    bool mClampsDepth = false;
+    Eigen::Vector3d mOrigin = Eigen::Vector3d::Zero();
+    std::vector<EmulatedMap> mMaps;
+};
+
+} // namespace Lixel::Samples
