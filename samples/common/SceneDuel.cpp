@@ -100,6 +100,9 @@ SampleScene duelScene() {
         {"into-the-sun", {0.5F, 1.9F, 31.0F}, {0.0F, 1.2F, 0.0F}, 0.5F, 300.0F, 50.0F, {}},
         {"from-a-hill", {-22.0F, 16.0F, 52.0F}, {0.0F, 0.0F, -8.0F}, 0.5F, 300.0F, 45.0F, {}},
         {"behind-the-fence", {6.0F, 0.9F, 25.5F}, {1.0F, 1.2F, 0.0F}, 0.2F, 300.0F, 60.0F, {}},
+        {"among-the-columns", {6.5F, 1.7F, -6.5F}, {-8.0F, 1.5F, -16.0F}, 0.2F, 300.0F, 65.0F, {}},
+        {"from-a-tower", {34.0F, 36.0F, 30.0F}, {4.0F, 0.0F, -6.0F}, 1.0F, 300.0F, 40.0F, {}},
+        {"at-a-jar", {-13.2F, 0.9F, 9.4F}, {-10.4F, 0.4F, 3.4F}, 0.1F, 300.0F, 60.0F, {}},
     };
     scene.lights = {sunlight("straight-against", 180.0F, 15.0F),
                     sunlight("nearly-against", 168.0F, 9.0F),

@@ -18,6 +18,16 @@ const std::array Views{
     SampleView{
         "from-above", {-130.0F, 70.0F, 165.0F}, {-5.0F, 0.0F, 10.0F}, 1.0F, 500.0F, 45.0F, {}},
     SampleView{"in-the-middle", {18.0F, 2.0F, 65.0F}, {39.0F, 1.0F, 9.0F}, 1.0F, 500.0F, 60.0F, {}},
+    SampleView{"in-the-grass", {22.0F, 0.5F, 63.0F}, {33.0F, 0.9F, 50.0F}, 0.2F, 500.0F, 70.0F, {}},
+    SampleView{
+        "down-from-a-mast", {40.0F, 38.0F, -22.0F}, {28.0F, 0.0F, -58.0F}, 1.0F, 500.0F, 50.0F, {}},
+    SampleView{"through-a-telescope",
+               {-195.0F, 45.0F, 190.0F},
+               {40.0F, 0.0F, -50.0F},
+               2.0F,
+               600.0F,
+               18.0F,
+               {}},
 };
 
 /// A lying torus raised to stand on its rim.

@@ -149,6 +149,8 @@ SampleScene minersLampScene() {
         lampView("along-the-aisle", {-8.4F, 1.7F, 34.0F}, {-5.0F, 1.2F, 0.0F}, 75.0F),
         lampView("across", {-9.5F, 2.1F, 9.5F}, {8.0F, 0.8F, -6.0F}, 90.0F),
         lampView("at-the-floor", {0.8F, 4.5F, 27.0F}, {0.0F, 0.0F, 17.0F}, 60.0F),
+        lampView("at-a-pillar", {-3.4F, 1.6F, 14.6F}, {-5.4F, 1.1F, 8.0F}, 80.0F),
+        lampView("from-under-the-roof", {5.5F, 6.8F, 34.0F}, {-1.0F, 0.5F, 4.0F}, 75.0F),
     };
     // The lamp on the head, and others': beside the viewer, coming towards him, under the roof.
     const auto lamp = [](const std::string& name, const Vector3& position, const Vector3& target,

@@ -41,7 +41,18 @@ SampleScene modelScene(const std::string& path) {
         view("low", foot + Ogre::Vector3(-0.55F * extent, 0.1F * extent, 1.0F * extent),
              foot + Ogre::Vector3(0.0F, 0.35F * size.y, 0.0F)),
         view("from-above", centre + extent * Ogre::Vector3(-0.35F, 1.2F, 0.3F), centre),
+        view("at-the-wall",
+             foot - 0.15F * half * alongSide + 0.85F * halfWidth * outwards +
+                 Ogre::Vector3(0.0F, 0.35F * size.y, 0.0F),
+             foot + 0.5F * half * alongSide + 0.55F * halfWidth * outwards +
+                 Ogre::Vector3(0.0F, 0.1F * size.y, 0.0F)),
+        view("from-afar", centre + extent * Ogre::Vector3(2.2F, 0.6F, 3.0F), foot),
+        view("inside", foot - 0.3F * half * alongSide + Ogre::Vector3(0.0F, 0.2F * size.y, 0.0F),
+             foot + 0.5F * half * alongSide + 0.4F * halfWidth * outwards),
     };
+    scene.views.back().fovYDegrees = 75.0F;
+    // A telescope, as far away as it enlarges.
+    scene.views[5].fovYDegrees = 18.0F;
     scene.lights = {sunlight("afternoon", 80.0F, 40.0F),
                     sunlight("low-from-the-side", 120.0F, 15.0F),
                     sunlight("from-behind", 35.0F, 35.0F), sunlight("against", 221.0F, 25.0F),

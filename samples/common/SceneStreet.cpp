@@ -330,6 +330,9 @@ SampleScene streetScene() {
         {"down-the-street", {-2.6F, 1.7F, 44.0F}, {3.0F, 2.6F, 0.0F}, 0.2F, 250.0F, 58.0F, {}},
         {"from-above", {-19.0F, 15.0F, 47.0F}, {4.0F, 0.5F, 2.0F}, 0.5F, 250.0F, 50.0F, {}},
         {"along-a-facade", {6.6F, 1.8F, 30.0F}, {7.8F, 4.0F, 4.0F}, 0.2F, 250.0F, 65.0F, {}},
+        {"in-the-park", {-26.0F, 1.6F, 36.0F}, {-14.0F, 1.4F, 0.0F}, 0.2F, 250.0F, 60.0F, {}},
+        {"from-a-roof", {13.0F, 19.0F, -40.0F}, {-6.0F, 0.0F, 6.0F}, 0.5F, 250.0F, 60.0F, {}},
+        {"at-a-bench", {4.2F, 1.3F, 21.0F}, {7.0F, 0.5F, 15.5F}, 0.1F, 250.0F, 60.0F, {}},
     };
     scene.lights = {sunlight("evening", 256.0F, 12.0F), sunlight("against", 187.0F, 12.0F),
                     sunlight("from-behind", 320.0F, 14.0F), sunlight("across", 95.0F, 30.0F),
