@@ -6,7 +6,9 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <array>
+#include <optional>
+#include <span>
 
 namespace Lixel::Tests {
 namespace {
@@ -37,6 +39,105 @@ double tolerance(double depthError, double shadowDistance) {
 
 /// Errors are counts of pixels, of which a few at corners go either way.
 constexpr double FewPixels = 5.0;
+
+/** A box from y = 1 to 2, 2 wide, over a ground at y = 0 that casts nothing, and the sun overhead.
+
+    Seen from above, at y = 20: nothing hides the ground beside the box, nor its shadow's edges.
+*/
+class BoxInTheAir : public testing::Test {
+protected:
+    BoxInTheAir() : oracle(makeScene()), emulation(oracle, CasterFaces::Backs) {
+        OracleView view;
+        view.width = view.height = 200;
+        // A viewer who looks down: x to the right, -z up. Sees 10 x 10 units of the ground, from
+        // a little aside, so that the shadow shows beside the box.
+        view.vsFromWs << 1, 0.5, 0, 0, 0, 0, -1, 0, 0, 1, 0, -20, 0, 0, 0, 1;
+        view.clipFromVs = Eigen::Vector4d(0.2, 0.2, -0.05, 1).asDiagonal();
+        view.clipFromVs(2, 3) = -1.0;
+        emulation.setView(view);
+        OracleLight sun;
+        sun.direction = -Eigen::Vector3d::UnitY();
+        emulation.setLight(sun);
+    }
+
+    static TriangleScene makeScene() {
+        TriangleScene scene;
+        Triangle ground;
+        ground.casts = false;
+        scene.add({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, ground);
+        scene.add({-9, 0, -9}, {9, 0, 9}, {9, 0, -9}, ground);
+        const auto corner = [](int i) {
+            return Eigen::Vector3d((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 2 : 1,
+                                   (i & 4) != 0 ? 1 : -1);
+        };
+        for (const auto& [a, b, c, d] :
+             {std::array{0, 1, 5, 4}, std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2},
+              std::array{1, 3, 7, 5}, std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}}) {
+            scene.add(corner(a), corner(b), corner(c));
+            scene.add(corner(a), corner(c), corner(d));
+        }
+        return scene;
+    }
+
+    /// Covers x and z from -8 to 8 and heights from `top` down to -1.
+    static EmulatedMap mapFrom(double top) {
+        EmulatedMap map;
+        map.width = map.height = 1024;
+        const double half = 0.5 * (top + 1.0);
+        map.clipFromWs << 0.125, 0, 0, 0, 0, 0, -0.125, 0, 0, -1.0 / half, 0, (top - half) / half,
+            0, 0, 0, 1;
+        return map;
+    }
+
+    ClassificationError errorOf(std::initializer_list<EmulatedMap> maps) {
+        return emulation.error(std::span(maps.begin(), maps.size()));
+    }
+
+    ShadowOracle oracle;
+    MapEmulation emulation;
+};
+
+TEST_F(BoxInTheAir, AFineMapIsRightButForTheEdges) {
+    const ClassificationError error = errorOf({mapFrom(5.0)});
+    EXPECT_GT(error.shadowed, 200U);
+    EXPECT_GT(error.lit, 20000U);
+    // At most half a texel, of 1/64, beside edges of 8 units among the 100 that are seen.
+    EXPECT_LT(error.error, 100.0 * 8.0 / 128.0 / 100.0);
+}
+
+TEST_F(BoxInTheAir, ACasterInFrontOfTheDepthRangeIsMissingUnlessItIsClamped) {
+    EmulatedMap map = mapFrom(0.5);
+    EXPECT_EQ(errorOf({map}).leakPixels, errorOf({map}).shadowed);
+    map.clampsDepth = true;
+    EXPECT_EQ(errorOf({map}).leakPixels, errorOf({mapFrom(5.0)}).leakPixels);
+}
+
+TEST_F(BoxInTheAir, NoMapAndOutsideOfTheMapIsLit) {
+    EmulatedMap beside = mapFrom(5.0);
+    beside.clipFromWs(0, 3) = 10.0;
+    EmulatedMap behind = mapFrom(5.0);
+    behind.clipFromWs.row(3) *= -1.0;
+    EmulatedMap none = mapFrom(5.0);
+    none.clipFromWs.setZero();
+    for (const EmulatedMap& map : {beside, behind, none}) {
+        const ClassificationError error = errorOf({map});
+        EXPECT_EQ(error.leakPixels, error.shadowed);
+        EXPECT_EQ(error.acnePixels, 0U);
+    }
+    EXPECT_EQ(errorOf({}).leakPixels, errorOf({}).shadowed);
+}
+
+TEST_F(BoxInTheAir, EachMapServesItsViewDepths) {
+    EmulatedMap near = mapFrom(5.0);
+    near.endDepth = 19.0; // the ground is 20 away, the box' top 18
+    EmulatedMap far = mapFrom(5.0);
+    far.beginDepth = 19.0;
+    EXPECT_EQ(errorOf({near}).leakPixels, errorOf({near}).shadowed);
+    EXPECT_EQ(errorOf({near, far}).leakPixels, errorOf({mapFrom(5.0)}).leakPixels);
+    // The first of two that overlap counts.
+    EmulatedMap none;
+    EXPECT_EQ(errorOf({none, far}).leakPixels, errorOf({none}).shadowed);
+}
 
 class Emulation : public testing::TestWithParam<const char*> {};
 
