@@ -1,7 +1,8 @@
-// lixel-report: how wrong one shadow setup is beside another, over all samples.
+// lixel-report: how wrong one shadow setup is beside another, or all are, over all samples.
 
 #include "common/Comparison.h"
 #include "common/Setups.h"
+#include "report/Table.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -20,6 +21,8 @@ struct Options {
     int height = 300;
     std::size_t lights = 4;
     bool firstView = false;
+    bool table = false;
+    std::string casesFile;
 };
 
 /// One scene at a time: each gets a stage of its own. @param name empty for the model file.
@@ -40,18 +43,47 @@ std::vector<ComparedCase> compareScene(const std::string& name, const Options& o
                          });
 }
 
+/// All setups in one table. @return the program's exit status
+int makeTable(const Options& options) {
+    const auto& setups = emulatedSetups();
+    const auto baseline = std::find_if(setups.begin(), setups.end(), [&](const NamedSetup& setup) {
+        return setup.name == options.baseline;
+    });
+    if (baseline == setups.end()) {
+        fmt::print(stderr, "lixel-report: there is no setup '{}'\n", options.baseline);
+        return 2;
+    }
+    TableOptions table;
+    table.modelFile = options.modelFile;
+    table.lights = options.lights;
+    table.firstView = options.firstView;
+    try {
+        const std::vector<TableCase> cases = measureTable(table);
+        printTable(cases, static_cast<std::size_t>(baseline - setups.begin()));
+        if (!options.casesFile.empty()) writeCases(cases, options.casesFile);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "lixel-report: {}\n", error.what());
+        return 1;
+    }
+    return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     Options options;
     CLI::App app{"Compares the errors of two shadow setups over all samples, on maps sized so that "
-                 "the baseline errs 1 to 5 %."};
+                 "the baseline errs 1 to 5 %; or of all setups, on maps of one size."};
     app.add_option("--setup", options.setup, "Setup to judge");
     app.add_option("--baseline", options.baseline, "Setup to compare it with");
     app.add_option("--scene", options.modelFile, "A model file as one more scene");
     app.add_option("--lights", options.lights, "Lights of each scene");
     app.add_flag("--first-view", options.firstView, "The first view of each scene alone");
+    app.add_flag("--table", options.table,
+                 "All setups in one table, by emulation, without drawing");
+    app.add_option("--cases", options.casesFile, "With --table: a file for every case's errors");
     CLI11_PARSE(app, argc, argv);
+    if (options.table) return makeTable(options);
     for (const std::string& name : {options.setup, options.baseline}) {
         if (findShadowSetup(name) == nullptr) {
             fmt::print(stderr, "lixel-report: there is no setup '{}'\n", name);

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "common/Setups.h"
+#include "common/TruthComparison.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace Lixel::Samples {
+
+/// What a table is made of.
+struct TableOptions {
+    std::string modelFile; ///< one more scene; empty for none
+    std::size_t lights = 4;
+    bool firstView = false; ///< the first view of each scene alone
+    int mapSize = 1024;     ///< texels; several maps of a light share as many
+    int width = 640;        ///< pixels
+    int height = 480;       ///< pixels
+};
+
+/// One scene, light and view under every setup, emulated.
+struct TableCase {
+    std::string scene;
+    std::string view;
+    std::string light;
+    bool sun = true;                         ///< directional
+    std::vector<ClassificationError> errors; ///< in the order of emulatedSetups()
+};
+
+/// The errors of every setup in every scene; says on the error stream how far it is.
+/// @exception std::exception where a scene cannot be shown
+std::vector<TableCase> measureTable(const TableOptions& options);
+
+/** Prints mean errors per scene, then ratios to a baseline.
+
+    Ratios are paired geometric means with their 95 % interval, over all cases, over those of suns,
+    of the scene `duel` (suns, too) and of lamps; half a pixel is added to both errors, so that no
+   error at all has a ratio too. Cases in which the baseline's error is below LeastBaseline say
+   nothing and are left out, and counted.
+    @param baseline index into emulatedSetups()
+*/
+void printTable(const std::vector<TableCase>& cases, std::size_t baseline);
+
+/// Percent. About 25 pixels of a picture of 640 x 480: fewer depend on where texels happen to lie.
+constexpr double LeastBaseline = 0.01;
+
+/// Writes every case as comma separated values: scene, view, light, then one error per setup.
+/// @exception std::runtime_error where the file cannot be written
+void writeCases(const std::vector<TableCase>& cases, const std::string& file);
+
+} // namespace Lixel::Samples
