@@ -30,8 +30,9 @@ constexpr double DrawnBias = 0x1p-19;
 
     A depth is stored in a float and read with a bias of DrawnBias, which is some length in the
     world, `depthError`. It moves an edge by about as much; a texel is shadowDistance / MapSize
-    wide. OGRE's LiSPSM maps, whose depth range is hundreds of times that of the scene, lose a
-    tenth of a unit in this way, which they would with any program; the emulation leaves it out.
+    wide on the average. OGRE's LiSPSM maps lose a tenth of a unit in this way, as their clip z
+    changes hundreds of times more across the light than along it, and as much again in the slope
+    of a receiver, which programs derive from neighbouring pixels. The emulation leaves both out.
 */
 double tolerance(double depthError, double shadowDistance) {
     return 4.0 / 256.0 + depthError / (shadowDistance / MapSize);
