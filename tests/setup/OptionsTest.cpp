@@ -77,6 +77,8 @@ TEST(Options, Optimal) {
     for (const int wrong : {-1, 0, 7, 4097})
         EXPECT_NE(refusal([&] { setup.setEvaluations(wrong); }).find("evaluations"),
                   std::string::npos);
+}
+
 TEST(Options, LiSPSM) {
     LiSPSMShadowCameraSetup setup;
     EXPECT_EQ(setup.getDistanceFactor(), 1.0F);
