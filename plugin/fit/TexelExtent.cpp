@@ -10,17 +10,18 @@ void TexelExtent::reset(const std::vector<ViewSample>& samples, const Polygon2& 
                         const Vec2& centre) {
     mCentre = centre;
     mHull = hull;
-    for (std::vector<double>* column : {&mX, &mY, &mXx, &mXy, &mYx, &mYy})
-        column->clear();
-    for (const ViewSample& sample : samples) {
-        const Vec2 q = sample.liPoint - centre;
+    mCount = static_cast<Eigen::Index>(samples.size());
+    for (Eigen::ArrayXd* column : {&mX, &mY, &mXx, &mXy, &mYx, &mYy})
+        if (column->size() < mCount) column->resize(mCount);
+    for (Eigen::Index i = 0; i < mCount; ++i) {
+        const ViewSample& sample = samples[static_cast<std::size_t>(i)];
         const Eigen::Matrix2d ndcFromLi = sample.liFromNdc.inverse();
-        mX.push_back(q.x());
-        mY.push_back(q.y());
-        mXx.push_back(ndcFromLi(0, 0));
-        mXy.push_back(ndcFromLi(1, 0));
-        mYx.push_back(ndcFromLi(0, 1));
-        mYy.push_back(ndcFromLi(1, 1));
+        mX[i] = sample.liPoint.x() - centre.x();
+        mY[i] = sample.liPoint.y() - centre.y();
+        mXx[i] = ndcFromLi(0, 0);
+        mXy[i] = ndcFromLi(1, 0);
+        mYx[i] = ndcFromLi(0, 1);
+        mYy[i] = ndcFromLi(1, 1);
     }
 }
 
@@ -32,23 +33,23 @@ double TexelExtent::operator()(const Vec2& warp) {
     const Vec2 v = (map.max.y() - map.min.y()) * Vec2(-std::sin(map.angle), std::cos(map.angle));
     const double wu = warp.dot(u);
     const double wv = warp.dot(v);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < mX.size(); ++i) {
-        // p = q / D with D = 1 + w . q has the derivative (I - q w^T / D) / D, whose inverse is
-        // D (I + q w^T): nothing is divided.
-        const double denominator = 1.0 + warp.x() * mX[i] + warp.y() * mY[i];
-        const double ux = u.x() + mX[i] * wu;
-        const double uy = u.y() + mY[i] * wu;
-        const double vx = v.x() + mX[i] * wv;
-        const double vy = v.y() + mY[i] * wv;
-        const double inLight = ux * ux + uy * uy + vx * vx + vy * vy;
-        const double inPictureU = (mXx[i] * ux + mYx[i] * uy) * (mXx[i] * ux + mYx[i] * uy) +
-                                  (mXy[i] * ux + mYy[i] * uy) * (mXy[i] * ux + mYy[i] * uy);
-        const double inPictureV = (mXx[i] * vx + mYx[i] * vy) * (mXx[i] * vx + mYx[i] * vy) +
-                                  (mXy[i] * vx + mYy[i] * vy) * (mXy[i] * vx + mYy[i] * vy);
-        sum += denominator * std::sqrt(std::sqrt(inLight * (inPictureU + inPictureV)));
-    }
-    return sum / static_cast<double>(mX.size());
+    // p = q / D with D = 1 + w . q has the derivative (I - q w^T / D) / D, whose inverse is
+    // D (I + q w^T): nothing is divided.
+    const auto x = mX.head(mCount);
+    const auto y = mY.head(mCount);
+    const auto ux = u.x() + x * wu;
+    const auto uy = u.y() + y * wu;
+    const auto vx = v.x() + x * wv;
+    const auto vy = v.y() + y * wv;
+    const auto inLight = ux.square() + uy.square() + vx.square() + vy.square();
+    const auto xx = mXx.head(mCount);
+    const auto xy = mXy.head(mCount);
+    const auto yx = mYx.head(mCount);
+    const auto yy = mYy.head(mCount);
+    const auto inPicture = (xx * ux + yx * uy).square() + (xy * ux + yy * uy).square() +
+                           (xx * vx + yx * vy).square() + (xy * vx + yy * vy).square();
+    const auto denominator = 1.0 + warp.x() * x + warp.y() * y;
+    return (denominator * (inLight * inPicture).sqrt().sqrt()).sum() / static_cast<double>(mCount);
 }
 
 } // namespace Lixel

@@ -20,7 +20,7 @@ public:
     /// @param hull the focus region's; the map is the smallest rectangle around it after the warp
     void reset(const std::vector<ViewSample>& samples, const Polygon2& hull, const Vec2& centre);
 
-    bool hasSamples() const { return !mX.empty(); }
+    bool hasSamples() const { return mCount > 0; }
 
     /// The mean for a warp about the centre, which must be positive all over the hull.
     double operator()(const Vec2& warp);
@@ -29,8 +29,10 @@ private:
     Vec2 mCentre = Vec2::Zero();
     Polygon2 mHull;
     Polygon2 mWarped;
-    // Samples as arrays: position about the centre, and d(device) / d(light image) by columns.
-    std::vector<double> mX, mY, mXx, mXy, mYx, mYy;
+    // Samples as arrays, which only grow: position about the centre, and d(device) / d(light image)
+    // by columns.
+    Eigen::ArrayXd mX, mY, mXx, mXy, mYx, mYy;
+    Eigen::Index mCount = 0;
 };
 
 } // namespace Lixel

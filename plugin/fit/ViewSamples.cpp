@@ -13,8 +13,8 @@ namespace {
 
 /// View rays in rows and columns, one per cell of the picture: so many that a focus region which
 /// fills but a tenth of the picture still gets its samples.
-constexpr int Columns = 28;
-constexpr int Rows = 24;
+constexpr int Columns = 20;
+constexpr int Rows = 18;
 
 /// Least cosine between normal and light.
 constexpr double LeastFacing = 0.05;
@@ -69,24 +69,26 @@ void meet(const Surfel& disc, ViewSampleScratch::Ray& ray) {
     ray.normal = disc.normal;
 }
 
-/// One ray through each cell of the picture.
-void castRays(const Mat4& clipFromWorld, std::vector<ViewSampleScratch::Ray>& rays) {
-    const Mat4 worldFromClip = clipFromWorld.inverse();
-    rays.clear();
+/// One ray through each cell of the picture. Directions have any length.
+void castRays(const Mat4& worldFromClip, std::vector<ViewSampleScratch::Ray>& rays) {
+    const Vec4 nearMiddle = worldFromClip.col(3) - worldFromClip.col(2);
+    const Vec4 farMiddle = worldFromClip.col(3) + worldFromClip.col(2);
+    rays.resize(static_cast<std::size_t>(Rows) * Columns);
+    std::size_t index = 0;
     for (int row = 0; row < Rows; ++row)
-        for (int column = 0; column < Columns; ++column) {
+        for (int column = 0; column < Columns; ++column, ++index) {
             // Off the middle, so that rays do not line up with rows of objects.
-            const Vec2 cell = Vec2(column, row) +
-                              lowDiscrepancy(static_cast<std::size_t>(row * Columns + column));
-            const double x = 2.0 * cell.x() / Columns - 1.0;
-            const double y = 2.0 * cell.y() / Rows - 1.0;
-            const Vec4 nearPoint = worldFromClip * Vec4(x, y, -1.0, 1.0);
-            const Vec4 farPoint = worldFromClip * Vec4(x, y, 1.0, 1.0);
-            const Vec3 origin = nearPoint.head<3>() / nearPoint.w();
+            const Vec2 cell = Vec2(column, row) + lowDiscrepancy(index);
+            const Vec4 across = worldFromClip.col(0) * (2.0 * cell.x() / Columns - 1.0) +
+                                worldFromClip.col(1) * (2.0 * cell.y() / Rows - 1.0);
+            const Vec4 nearPoint = nearMiddle + across;
+            const Vec4 farPoint = farMiddle + across;
+            ViewSampleScratch::Ray& ray = rays[index];
+            ray.origin = nearPoint.head<3>() / nearPoint.w();
             // Also right where the far point is at infinity.
-            const Vec3 direction = (farPoint.head<3>() - farPoint.w() * origin).stableNormalized();
-            rays.push_back({origin, direction, direction.cwiseInverse(),
-                            std::numeric_limits<double>::infinity(), Vec3::Zero()});
+            ray.direction = farPoint.head<3>() - farPoint.w() * ray.origin;
+            ray.inverse = ray.direction.cwiseInverse();
+            ray.nearest = std::numeric_limits<double>::infinity();
         }
 }
 
@@ -127,7 +129,7 @@ private:
 /// Traces view rays against the receivers: their known surfaces, and the boxes of all others.
 void traceReceivers(const ShadowProblem& problem, const Mat4& clipFromWorld,
                     ViewSampleScratch& scratch) {
-    castRays(clipFromWorld, scratch.rays);
+    castRays(clipFromWorld.inverse(), scratch.rays);
     const Reach reach(clipFromWorld);
     std::size_t next = 0;
     for (std::size_t i = 0; i < problem.receivers->size(); ++i) {
@@ -155,70 +157,79 @@ void traceReceivers(const ShadowProblem& problem, const Mat4& clipFromWorld,
     }
 }
 
+/// Whether the light may shine on the point from its front, and shadows be cast on it.
+bool matters(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
+             const VisiblePoint& point) {
+    const ShadowViewer& viewer = problem.viewer;
+    if (viewer.shadowDistance > 0.0 &&
+        -viewer.viewFromWorld.row(2).dot(point.ws.homogeneous()) > viewer.shadowDistance)
+        return false;
+    const Vec3 ls = image.lsFromPoint(point.ws);
+    const Vec3 lsNormal = image.lsFromDirection(point.wsNormal);
+    if (image.directional()) {
+        if (lsNormal.z() < LeastFacing) return false;
+    } else {
+        if (-ls.z() < problem.light.nearDistance) return false;
+        if (-lsNormal.dot(ls) < LeastFacing * ls.norm()) return false;
+    }
+    const Vec2 q = image.project(ls);
+    const Polygon2& hull = region.liHull;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec2& a = hull[i];
+        const Vec2& b = hull[i + 1 < hull.size() ? i + 1 : 0];
+        if (cross(b - a, q - a) < 0.0) return false;
+    }
+    return true;
+}
+
+ViewSample sampleAt(const Mat4& clipFromWorld, const LightImage& image, const VisiblePoint& point) {
+    // The tangent's motion for a unit step of each device coordinate u = x / w:
+    // du = (row x - u row w) . dx / w, with n . dx = 0.
+    const Vec4 clip = clipFromWorld * point.ws.homogeneous();
+    Mat3 ndcFromWs;
+    for (int axis = 0; axis < 2; ++axis)
+        ndcFromWs.row(axis) =
+            (clipFromWorld.row(axis) - clip[axis] / clip.w() * clipFromWorld.row(3)).head<3>() /
+            clip.w();
+    ndcFromWs.row(2) = point.wsNormal.transpose();
+    const Vec3 ls = image.lsFromPoint(point.ws);
+    ViewSample sample;
+    sample.liPoint = image.project(ls);
+    Eigen::Matrix<double, 2, 3> liFromLs = Eigen::Matrix<double, 2, 3>::Identity();
+    if (!image.directional()) {
+        // q = xy / -z, so dq = (dxy + q dz) / -z.
+        liFromLs.col(2) = sample.liPoint;
+        liFromLs /= -ls.z();
+    }
+    sample.liFromNdc = liFromLs * image.lsFromWs() * ndcFromWs.inverse().leftCols<2>();
+    return sample;
+}
+
 } // namespace
 
 void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
                 std::size_t most, ViewSampleScratch& scratch, std::vector<ViewSample>& samples) {
-    samples.clear();
     const Mat4 clipFromWorld = problem.viewer.clipFromView * problem.viewer.viewFromWorld;
-    const Eigen::RowVector4d depthRow = -problem.viewer.viewFromWorld.row(2);
-    const auto inFocus = [&](const Vec2& q) {
-        for (std::size_t i = 0; i < region.liHull.size(); ++i) {
-            const Vec2& a = region.liHull[i];
-            const Vec2& b = region.liHull[(i + 1) % region.liHull.size()];
-            if (cross(b - a, q - a) < 0.0) return false;
-        }
-        return true;
+    std::vector<VisiblePoint>& points = scratch.points;
+    points.clear();
+    const auto consider = [&](const Vec3& ws, const Vec3& wsNormal) {
+        if (matters(problem, image, region, {ws, wsNormal})) points.push_back({ws, wsNormal});
     };
-    const auto add = [&](const Vec3& ws, const Vec3& wsNormal) {
-        if (problem.viewer.shadowDistance > 0.0 &&
-            depthRow.dot(ws.homogeneous()) > problem.viewer.shadowDistance)
-            return;
-        const Vec3 ls = image.lsFromPoint(ws);
-        if (!image.directional() && -ls.z() < problem.light.nearDistance) return;
-        const Vec3 lsToLight = image.directional() ? Vec3(0.0, 0.0, 1.0) : Vec3(-ls.normalized());
-        if ((image.lsFromWs() * wsNormal).dot(lsToLight) < LeastFacing) return;
-        const Vec2 q = image.project(ls);
-        if (!inFocus(q)) return;
-
-        // The tangent's motion for a unit step of each device coordinate u = x / w:
-        // du = (row x - u row w) . dx / w, with n . dx = 0.
-        const Vec4 clip = clipFromWorld * ws.homogeneous();
-        Mat3 ndcFromWs;
-        ndcFromWs.row(0) =
-            (clipFromWorld.row(0) - clip.x() / clip.w() * clipFromWorld.row(3)).head<3>() /
-            clip.w();
-        ndcFromWs.row(1) =
-            (clipFromWorld.row(1) - clip.y() / clip.w() * clipFromWorld.row(3)).head<3>() /
-            clip.w();
-        ndcFromWs.row(2) = wsNormal.transpose();
-        const Mat3 wsFromNdc = ndcFromWs.inverse();
-        Eigen::Matrix<double, 2, 3> liFromLs = Eigen::Matrix<double, 2, 3>::Identity();
-        if (!image.directional()) {
-            // q = xy / -z, so dq = (dxy + q dz) / -z.
-            liFromLs.col(2) = q;
-            liFromLs /= -ls.z();
-        }
-        ViewSample sample;
-        sample.liPoint = q;
-        sample.liFromNdc = liFromLs * image.lsFromWs() * wsFromNdc.leftCols<2>();
-        if (sample.liFromNdc.allFinite() && sample.liFromNdc.determinant() != 0.0)
-            samples.push_back(sample);
-    };
-
     if (!problem.visiblePoints.empty()) {
         for (const VisiblePoint& point : problem.visiblePoints)
-            add(point.ws, point.wsNormal);
+            consider(point.ws, point.wsNormal);
     } else {
         traceReceivers(problem, clipFromWorld, scratch);
         for (const ViewSampleScratch::Ray& ray : scratch.rays)
             if (std::isfinite(ray.nearest))
-                add(ray.origin + ray.nearest * ray.direction, ray.normal);
+                consider(ray.origin + ray.nearest * ray.direction, ray.normal);
     }
-    if (samples.size() > most) {
-        for (std::size_t i = 0; i < most; ++i)
-            samples[i] = samples[i * samples.size() / most];
-        samples.resize(most);
+    samples.clear();
+    const std::size_t kept = std::min(most, points.size());
+    for (std::size_t i = 0; i < kept; ++i) {
+        const ViewSample sample = sampleAt(clipFromWorld, image, points[i * points.size() / kept]);
+        if (sample.liFromNdc.allFinite() && sample.liFromNdc.determinant() != 0.0)
+            samples.push_back(sample);
     }
 }
 

@@ -23,6 +23,8 @@ struct ViewSampleScratch {
         Vec3 normal;
     };
     std::vector<Ray> rays;
+    /// Points that could be samples.
+    std::vector<VisiblePoint> points;
 };
 
 /** Samples what the viewer sees of the receivers and the light shines on, within the focus region.

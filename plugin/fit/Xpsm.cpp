@@ -25,7 +25,7 @@ constexpr int SearchSteps = 11;
 
 /// Samples that the guard judges by. With 64 the chosen warp is that of a thousand within a few
 /// percent of the error.
-constexpr std::size_t Samples = 96;
+constexpr std::size_t Samples = 64;
 
 double smoothstep(double t) {
     t = std::clamp(t, 0.0, 1.0);

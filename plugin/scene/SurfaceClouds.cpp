@@ -5,7 +5,6 @@
 #include <OgreEntity.h>
 #include <OgreException.h>
 #include <OgreMesh.h>
-#include <OgreMeshManager.h>
 #include <OgreSubMesh.h>
 
 #include <algorithm>
@@ -36,31 +35,29 @@ SurfaceCloud read(Ogre::Mesh& mesh) {
     return makeSurfaceCloud(positions, triangles, SurfaceClouds::Discs);
 }
 
+const SurfaceCloud* cloudOf(const SurfaceCloud& cloud) {
+    return cloud.surfels.empty() ? nullptr : &cloud;
+}
+
 } // namespace
 
 const SurfaceCloud* SurfaceClouds::of(const Ogre::Entity& entity) {
     if (entity.hasSkeleton() || entity.hasVertexAnimation()) return nullptr;
-    Ogre::Mesh& mesh = *entity.getMesh();
-    const auto found = mEntries.find(mesh.getHandle());
-    const bool known = found != mEntries.end() && found->second.state == mesh.getStateCount();
-    if (!known) {
-        forgetDestroyed();
-        Entry entry{mesh.getStateCount(), {}};
-        try {
-            entry.cloud = read(mesh);
-        } catch (const Ogre::Exception&) {
-            // Positions that are not floats: the box has to do. OGRE has logged the exception.
-        }
-        mEntries.insert_or_assign(mesh.getHandle(), std::move(entry));
-    }
-    const SurfaceCloud& cloud = mEntries.at(mesh.getHandle()).cloud;
-    return cloud.surfels.empty() ? nullptr : &cloud;
-}
+    const Ogre::MeshPtr& mesh = entity.getMesh();
+    const auto found = mEntries.find(mesh.get());
+    // Another mesh may have come to be at the address of one that has gone.
+    if (found != mEntries.end() && !found->second.mesh.expired() &&
+        found->second.state == mesh->getStateCount())
+        return cloudOf(found->second.cloud);
 
-void SurfaceClouds::forgetDestroyed() {
-    std::erase_if(mEntries, [](const auto& entry) {
-        return !Ogre::MeshManager::getSingleton().getByHandle(entry.first);
-    });
+    std::erase_if(mEntries, [](const auto& entry) { return entry.second.mesh.expired(); });
+    Entry entry{mesh, mesh->getStateCount(), {}};
+    try {
+        entry.cloud = read(*mesh);
+    } catch (const Ogre::Exception&) {
+        // Positions that are not floats: the box has to do. OGRE has logged the exception.
+    }
+    return cloudOf(mEntries.insert_or_assign(mesh.get(), std::move(entry)).first->second.cloud);
 }
 
 } // namespace Lixel

@@ -2,9 +2,8 @@
 
 #include "fit/SurfaceCloud.h"
 
-#include <OgreResource.h>
-
 #include <map>
+#include <memory>
 
 namespace Ogre {
 class Entity;
@@ -25,17 +24,18 @@ public:
 
     /** The surface of an entity, in its own space.
         @return null for what moves its vertices (skeletons, morphs, poses), and for meshes without
-        triangles that can be read. It holds until the next call after the mesh has gone. */
+        triangles that can be read. It holds for as long as the mesh is there, and is not
+        loaded anew. */
     const SurfaceCloud* of(const Ogre::Entity& entity);
 
 private:
     struct Entry {
+        std::weak_ptr<Ogre::Mesh> mesh;
         std::size_t state = 0; ///< how often the mesh had been loaded
         SurfaceCloud cloud;
     };
-    void forgetDestroyed();
 
-    std::map<Ogre::ResourceHandle, Entry> mEntries;
+    std::map<const Ogre::Mesh*, Entry> mEntries;
 };
 
 } // namespace Lixel

@@ -6,17 +6,35 @@
 #include <Eigen/LU>
 
 #include <OgreCamera.h>
+#include <OgreEntity.h>
 #include <OgreMovableObject.h>
 #include <OgreSceneNode.h>
 
 #include <limits>
 
 namespace Lixel {
+namespace {
+
+/// A box flatter than this is its own surface: a ground, a wall.
+constexpr double Flatness = 1.0 / 32.0;
+
+/// A viewer who is nearer to the box's middle than this many of its radii stands in it, or sees
+/// little but it.
+constexpr double NearRadii = 1.5;
+
+/// Whether the box may say too little of what the viewer, at the origin, sees of the body in it.
+bool needsSurface(const Box& box) {
+    return box.centre.norm() < NearRadii * box.halfExtents.norm() &&
+           box.halfExtents.minCoeff() > Flatness * box.halfExtents.maxCoeff();
+}
+
+} // namespace
 
 void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
                   double shadowDistance) {
     mRules = SceneRules(viewer, viewport);
     mReceivers.clear();
+    mSurfaces.clear();
     mLower.setConstant(std::numeric_limits<double>::infinity());
     mUpper = -mLower;
     mUnboundedName.clear();
@@ -58,9 +76,21 @@ void Survey::visit(Ogre::MovableObject& object) {
     const Box box = relativeBox(bounds, mWsOrigin);
     // Asking the materials is the dearest question, so it comes last.
     if (mView.classify(box) == ConvexVolume::Side::Outside || !mRules.receives(object)) return;
+    const std::size_t index = mReceivers.size();
     mReceivers.add(box);
+    if (mReceivers.size() > index && needsSurface(box)) addSurface(object, index);
     mLower = mLower.cwiseMin(box.centre - box.halfExtents);
     mUpper = mUpper.cwiseMax(box.centre + box.halfExtents);
+}
+
+void Survey::addSurface(const Ogre::MovableObject& object, std::size_t receiver) {
+    const auto* const entity = dynamic_cast<const Ogre::Entity*>(&object);
+    const SurfaceCloud* const cloud = entity != nullptr ? mClouds.of(*entity) : nullptr;
+    if (cloud == nullptr) return;
+    KnownSurface surface{receiver, cloud,
+                         Eigen::Affine3d(toDouble(entity->_getParentNodeFullTransform()))};
+    surface.wsFromCloud.pretranslate(-mWsOrigin);
+    mSurfaces.push_back(surface);
 }
 
 } // namespace Lixel

@@ -3,6 +3,7 @@
 #include "fit/ConvexVolume.h"
 #include "fit/ShadowProblem.h"
 #include "scene/SceneRules.h"
+#include "scene/SurfaceClouds.h"
 
 #include <string>
 #include <vector>
@@ -34,7 +35,8 @@ namespace Lixel {
     Boxes of objects that OGRE itself moves later in the frame (auto-tracking nodes, instance
     batches moved by nodes) are last frame's.
 
-    Nothing is kept from one survey to the next but memory.
+    Nothing is kept from one survey to the next but memory, and the shapes of meshes
+    (SurfaceClouds.h).
 */
 class LIXEL_API Survey {
 public:
@@ -48,6 +50,9 @@ public:
     /// The viewer's position in the world, which all boxes are relative to.
     const Vec3& wsOrigin() const { return mWsOrigin; }
     const BoxSet& receivers() const { return mReceivers; }
+    /** Surfaces of those receivers whose boxes say too little: that the viewer stands in, or near.
+        They point into the survey, and hold until its next one. */
+    const std::vector<KnownSurface>& surfaces() const { return mSurfaces; }
     /// The box around all receivers that have bounds; without one it is of no meaning.
     Box receiverBounds() const { return {(mLower + mUpper) / 2.0, (mUpper - mLower) / 2.0}; }
     /// Name of an object without bounds that casts or receives; empty if there is none.
@@ -59,11 +64,14 @@ public:
 
 private:
     void visit(Ogre::MovableObject& object);
+    void addSurface(const Ogre::MovableObject& object, std::size_t receiver);
 
     SceneRules mRules;
     ShadowViewer mViewer;
     Vec3 mWsOrigin = Vec3::Zero();
     BoxSet mReceivers;
+    SurfaceClouds mClouds;
+    std::vector<KnownSurface> mSurfaces;
     Vec3 mLower = Vec3::Zero();
     Vec3 mUpper = Vec3::Zero();
     std::string mUnboundedName;

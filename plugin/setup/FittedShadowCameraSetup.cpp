@@ -145,6 +145,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     problem.casters = &memory.casters.find(survey, problem.light, shadowDistance);
     const double searchTime = since(searchBegin);
     problem.receivers = &survey.receivers();
+    problem.surfaces = survey.surfaces();
     problem.mapWidth = map.getActualWidth();
     problem.mapHeight = map.getActualHeight();
     problem.filterRadius = mFilterRadius;

@@ -4,6 +4,11 @@
 //
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
 // viewer turns a little from one fit to the next, as it does from frame to frame.
+#include "fit/LiSPSM.h"
+#include "fit/Optimal.h"
+#include "fit/PlaneOptimal.h"
+#include "fit/Psm.h"
+#include "fit/Trapezoidal.h"
 #include "fit/Uniform.h"
 #include "fit/Xpsm.h"
 
@@ -25,10 +30,16 @@ struct Technique {
     const char* name;
     ShadowFit (*fit)(const ShadowProblem&, FitState&);
 };
-constexpr std::array<Technique, 2> Techniques = {{
-    {"Uniform", [](const ShadowProblem& p, FitState& s) { return fitUniform(p, s); }},
-    {"Xpsm", [](const ShadowProblem& p, FitState& s) { return fitXpsm(p, XpsmOptions{}, s); }},
-}};
+constexpr std::array<Technique, 2> Techniques = {
+    {
+        {"Uniform", [](const ShadowProblem& p, FitState& s) { return fitUniform(p, s); }},
+        {"Xpsm", [](const ShadowProblem& p, FitState& s) { return fitXpsm(p, XpsmOptions{}, s); }},
+    } {"Optimal", [](const ShadowProblem& p, FitState& s) { return fitOptimal(p, {}, s); }},
+    {"LiSPSM", [](const ShadowProblem& p, FitState& s) { return fitLiSPSM(p, {}, s); }},
+    {"Trapezoidal", [](const ShadowProblem& p, FitState& s) { return fitTrapezoidal(p, {}, s); }},
+    {"Psm", [](const ShadowProblem& p, FitState& s) { return fitPsm(p, {}, s); }},
+    {"PlaneOptimal", [](const ShadowProblem& p, FitState& s) { return fitPlaneOptimal(p, {}, s); }},
+};
 
 struct Light {
     const char* name;
