@@ -22,9 +22,9 @@ constexpr double LeastFacing = 0.05;
 /// The range of cells, out of `count`, that the device coordinates lower to upper reach into.
 std::pair<int, int> cells(double lower, double upper, int count) {
     const auto cell = [&](double ndc) {
-        // fmin and fmax take the other argument for a NaN, which a clamp would pass on.
-        const double at = std::floor((ndc + 1.0) / 2.0 * count);
-        return static_cast<int>(std::fmin(std::fmax(at, 0.0), static_cast<double>(count - 1)));
+        const double at = (ndc + 1.0) / 2.0 * count;
+        if (!(at > 0.0)) return 0; // a NaN too, which any cell is as good for
+        return at < count ? static_cast<int>(at) : count - 1;
     };
     return {cell(lower), cell(upper)};
 }
@@ -79,11 +79,12 @@ void castRays(const Mat4& worldFromClip, std::vector<ViewSampleScratch::Ray>& ra
         for (int column = 0; column < Columns; ++column, ++index) {
             // Off the middle, so that rays do not line up with rows of objects.
             const Vec2 cell = Vec2(column, row) + lowDiscrepancy(index);
-            const Vec4 across = worldFromClip.col(0) * (2.0 * cell.x() / Columns - 1.0) +
-                                worldFromClip.col(1) * (2.0 * cell.y() / Rows - 1.0);
+            ViewSampleScratch::Ray& ray = rays[index];
+            ray.ndc = {2.0 * cell.x() / Columns - 1.0, 2.0 * cell.y() / Rows - 1.0};
+            const Vec4 across =
+                worldFromClip.col(0) * ray.ndc.x() + worldFromClip.col(1) * ray.ndc.y();
             const Vec4 nearPoint = nearMiddle + across;
             const Vec4 farPoint = farMiddle + across;
-            ViewSampleScratch::Ray& ray = rays[index];
             ray.origin = nearPoint.head<3>() / nearPoint.w();
             // Also right where the far point is at infinity.
             ray.direction = farPoint.head<3>() - farPoint.w() * ray.origin;
@@ -107,18 +108,26 @@ public:
         const double wLeast = centre.w() - half.w();
         const double wGreatest = centre.w() + half.w();
         if (wGreatest <= 0.0) return;
-        std::pair<int, int> across{0, Columns - 1};
-        std::pair<int, int> up{0, Rows - 1};
-        if (wLeast > 0.0) {
-            const auto [left, right] = bounds(centre.x(), half.x(), wLeast, wGreatest);
-            const auto [bottom, top] = bounds(centre.y(), half.y(), wLeast, wGreatest);
-            if (left > 1.0 || right < -1.0 || bottom > 1.0 || top < -1.0) return;
-            across = cells(left, right, Columns);
-            up = cells(bottom, top, Rows);
+        if (!(wLeast > 0.0)) {
+            for (ViewSampleScratch::Ray& ray : rays)
+                visit(ray);
+            return;
         }
+        const auto [left, right] = bounds(centre.x(), half.x(), wLeast, wGreatest);
+        const auto [bottom, top] = bounds(centre.y(), half.y(), wLeast, wGreatest);
+        if (left > 1.0 || right < -1.0 || bottom > 1.0 || top < -1.0) return;
+        const std::pair<int, int> across = cells(left, right, Columns);
+        const std::pair<int, int> up = cells(bottom, top, Rows);
         for (int row = up.first; row <= up.second; ++row)
-            for (int column = across.first; column <= across.second; ++column)
-                visit(rays[static_cast<std::size_t>(row * Columns + column)]);
+            for (int column = across.first; column <= across.second; ++column) {
+                ViewSampleScratch::Ray& ray =
+                    rays[static_cast<std::size_t>(row * Columns + column)];
+                // Most small bodies lie beside the one ray of their cell.
+                if (ray.ndc.x() < left || ray.ndc.x() > right || ray.ndc.y() < bottom ||
+                    ray.ndc.y() > top)
+                    continue;
+                visit(ray);
+            }
     }
 
 private:

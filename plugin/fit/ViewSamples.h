@@ -16,6 +16,8 @@ struct ViewSample {
 /// Scratch memory of sampling, kept between frames.
 struct ViewSampleScratch {
     struct Ray {
+        /// Where it goes through the picture, in device coordinates.
+        Vec2 ndc;
         Vec3 origin;
         Vec3 direction;
         Vec3 inverse;

@@ -30,16 +30,15 @@ struct Technique {
     const char* name;
     ShadowFit (*fit)(const ShadowProblem&, FitState&);
 };
-constexpr std::array<Technique, 2> Techniques = {
-    {
-        {"Uniform", [](const ShadowProblem& p, FitState& s) { return fitUniform(p, s); }},
-        {"Xpsm", [](const ShadowProblem& p, FitState& s) { return fitXpsm(p, XpsmOptions{}, s); }},
-    } {"Optimal", [](const ShadowProblem& p, FitState& s) { return fitOptimal(p, {}, s); }},
+constexpr std::array<Technique, 7> Techniques = {{
+    {"Uniform", [](const ShadowProblem& p, FitState& s) { return fitUniform(p, s); }},
+    {"Xpsm", [](const ShadowProblem& p, FitState& s) { return fitXpsm(p, XpsmOptions{}, s); }},
+    {"Optimal", [](const ShadowProblem& p, FitState& s) { return fitOptimal(p, {}, s); }},
     {"LiSPSM", [](const ShadowProblem& p, FitState& s) { return fitLiSPSM(p, {}, s); }},
     {"Trapezoidal", [](const ShadowProblem& p, FitState& s) { return fitTrapezoidal(p, {}, s); }},
     {"Psm", [](const ShadowProblem& p, FitState& s) { return fitPsm(p, {}, s); }},
     {"PlaneOptimal", [](const ShadowProblem& p, FitState& s) { return fitPlaneOptimal(p, {}, s); }},
-};
+}};
 
 struct Light {
     const char* name;

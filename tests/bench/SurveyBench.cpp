@@ -131,6 +131,18 @@ enum class View {
     Wall      ///< the same, at a wall under a low sun: nothing is seen but the field's shadow
 };
 
+const char* toString(View view) {
+    switch (view) {
+    case View::Inside:
+        return "inside";
+    case View::Outwards:
+        return "outwards";
+    case View::Wall:
+        return "wall";
+    }
+    return "?";
+}
+
 /// A field of cubes on the ground.
 class Field {
 public:
@@ -283,13 +295,13 @@ void measure(HeadlessOgre& ogre, const std::string& manager, int objects, View v
     const Cost lispsm = field.measure(Ogre::LiSPSMShadowCameraSetup::create(), frames);
     const Cost uniform = field.measure(UniformShadowCameraSetup::create(), frames);
     const Cost xpsm = field.measure(XPSMShadowCameraSetup::create(), frames);
-    std::printf(
-        "%-7s %7d %6zu |%8.1f %8.1f %8.1f %6.2f |%8.1f %8.1f %8.1f |%6zu %6zu |%8.0f %8.0f %8.0f "
-        "%8.0f\n",
-        manager.substr(0, manager.find("SceneManager")).c_str(), objects, field.inView(),
-        walks.visibility, walks.survey, walks.casters, walks.ratio, lispsm.setup, uniform.fit,
-        xpsm.fit, lispsm.casters, xpsm.casters, none.frame, lispsm.frame, uniform.frame,
-        xpsm.frame);
+    std::printf("%-7s %-8s %7d %6zu |%8.1f %8.1f %8.1f %6.2f |%8.1f %8.1f %8.1f |%6zu %6zu |%8.0f "
+                "%8.0f %8.0f "
+                "%8.0f\n",
+                manager.substr(0, manager.find("SceneManager")).c_str(), toString(view), objects,
+                field.inView(), walks.visibility, walks.survey, walks.casters, walks.ratio,
+                lispsm.setup, uniform.fit, xpsm.fit, lispsm.casters, xpsm.casters, none.frame,
+                lispsm.frame, uniform.frame, xpsm.frame);
     std::fflush(stdout);
 }
 
@@ -310,12 +322,12 @@ int run(int argc, char** argv) {
     }
     HeadlessOgre ogre;
     std::printf("Medians over %d frames in microseconds; one directional light\n\n", frames);
-    std::printf(
-        "                       |walk of the scene                 |one shadow camera           "
-        "|casters drawn|whole frame but for drawing\n");
-    std::printf(
-        "scene   objects   seen | visible   survey  casters  ratio |  LiSPSM  Uniform     XPSM "
-        "|LiSPSM   XPSM |    none   LiSPSM  Uniform     XPSM\n");
+    std::printf("                                |walk of the scene                 |one shadow "
+                "camera           "
+                "|casters drawn|whole frame but for drawing\n");
+    std::printf("scene   view     objects   seen | visible   survey  casters  ratio |  LiSPSM  "
+                "Uniform     XPSM "
+                "|LiSPSM   XPSM |    none   LiSPSM  Uniform     XPSM\n");
     for (const std::string& manager : {DefaultManager, OctreeManager})
         for (const View view : {View::Inside, View::Outwards, View::Wall})
             for (const int objects : sizes)
