@@ -20,6 +20,9 @@ using Vec4 = Eigen::Vector4d;
 using Mat3 = Eigen::Matrix3d;
 using Mat4 = Eigen::Matrix4d;
 
+/// Beyond it a float's square overflows, and matrices with it: a box has no bounds, a light no place.
+inline constexpr double GreatestExtent = 1e18;
+
 /// An axis-aligned box as its centre and half extents; all half extents are >= 0.
 struct Box {
     Vec3 centre = Vec3::Zero();
@@ -97,9 +100,6 @@ public:
     bool empty() const { return mSize == 0 && mUnbounded == 0; }
 
 private:
-    /// Beyond it a float's square overflows, and matrices with it: such a box has no bounds.
-    static constexpr double GreatestExtent = 1e18;
-
     /// Makes room for one box more, in that lane of the last block.
     std::size_t nextLane() {
         const std::size_t lane = mSize++ % BlockSize;

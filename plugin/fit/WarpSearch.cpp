@@ -224,6 +224,8 @@ Vec2 WarpSearch::settle(const Vec2& best) {
     if (usable()) {
         const double gain = 1.0 - (*this)(best);
         chosen = smoothstep(gain / ClearGain) * best;
+        // Part of the way need not be better than none of it where the measure has a crease.
+        if (!((*this)(chosen) <= 1.0)) chosen = Vec2::Zero();
     }
     // The samples that the search judges by come and go one by one, and two warps can be equally
     // good.
