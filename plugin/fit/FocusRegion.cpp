@@ -52,7 +52,8 @@ public:
           mVsDepth(-problem.viewer.viewFromWorld.row(2).head<3>().transpose(),
                    -problem.viewer.viewFromWorld(2, 3)),
           mSeen(lit) {
-        for (const Plane& plane : viewVolume(problem.viewer).planes())
+        const ConvexVolume view = viewVolume(problem.viewer);
+        for (const Plane& plane : view.planes())
             mSeen.add(plane.normal, plane.offset);
         scratch.receivers.reset(image);
     }
