@@ -10,6 +10,7 @@ struct FocusScratch {
     ClipScratch clip;
     /// The boxes that are left to look at closely.
     BoxSet kept;
+    /// Half spaces that boxes are asked about.
     std::vector<Plane> planes;
     std::vector<Vec3> wsPoints;
     std::vector<Vec2> points;
