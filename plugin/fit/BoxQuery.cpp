@@ -26,14 +26,17 @@ struct Reach {
     double offset;
 };
 
-Reach reachOf(const Plane& plane) {
+/// @param extent of the boxes that it is for
+Reach reachOf(const Plane& plane, double extent) {
     Reach reach;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double n = plane.normal[static_cast<Eigen::Index>(axis)];
         reach.face[axis] = n > 0.0 ? 1 : 0;
         reach.normal[axis] = n;
     }
-    reach.offset = plane.offset + TouchingSlack * std::abs(plane.offset);
+    // One slack for all boxes: what it keeps in vain is found out later.
+    reach.offset = plane.offset + TouchingSlack * (std::abs(plane.offset) +
+                                                   plane.normal.cwiseAbs().sum() * extent);
     return reach;
 }
 
@@ -42,13 +45,6 @@ Reach reachOf(const Plane& plane) {
 [[gnu::always_inline]] inline void load(const BoxSet::Block::Lanes& lanes, std::size_t part,
                                         Four& result) {
     std::memcpy(&result, lanes.data() + 4 * part, sizeof(result));
-}
-
-[[gnu::always_inline]] inline void absolute(const Four& value, Four& result) {
-    FourBits bits;
-    std::memcpy(&bits, &value, sizeof(bits));
-    bits &= ~std::uint64_t{0} >> 1;
-    std::memcpy(&result, &bits, sizeof(bits));
 }
 
 /// Collects sign bits: a lane is negative once one of its values was.
@@ -73,8 +69,7 @@ constexpr std::size_t Batch = 64;
 /// Half spaces that all blocks are asked about; most boxes are outside one of the first few.
 constexpr std::size_t FirstPlanes = 3;
 
-/// The faces of a block's boxes, for each axis the lower and the upper, moved outwards by the
-/// slack.
+/// The faces of a block's boxes, for each axis the lower and the upper.
 using Faces = std::array<std::array<std::array<Four, Parts>, 2>, 3>;
 
 [[gnu::always_inline]] inline void findFaces(const BoxSet::Block& block, Faces& faces) {
@@ -84,11 +79,8 @@ using Faces = std::array<std::array<std::array<Four, Parts>, 2>, 3>;
             Four half;
             load(block.centre[axis], part, centre);
             load(block.halfExtents[axis], part, half);
-            Four slack;
-            absolute(centre, slack);
-            slack = TouchingSlack * (slack + half);
-            faces[axis][0][part] = centre - half - slack;
-            faces[axis][1][part] = centre + half + slack;
+            faces[axis][0][part] = centre - half;
+            faces[axis][1][part] = centre + half;
         }
 }
 
@@ -133,7 +125,7 @@ void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& ke
     std::array<Reach, 2 * ConvexVolume::Capacity> reaches;
     const std::size_t count = std::min(planes.size(), reaches.size());
     for (std::size_t i = 0; i < count; ++i)
-        reaches[i] = reachOf(planes[i]);
+        reaches[i] = reachOf(planes[i], boxes.extent());
     std::array<unsigned, Batch> reaching;
     for (std::size_t first = 0; first < boxes.blocks().size(); first += Batch) {
         const auto blocks =

@@ -13,7 +13,7 @@ namespace Lixel {
 inline constexpr double TouchingSlack = 1e-12;
 
 /// Copies the boxes that may reach to the inner side of each plane, in their order; a box that
-/// touches a plane from outside, within that slack, does so too.
+/// touches a plane from outside, within that part of the set's extent, does so too.
 /// @param kept is emptied first
 void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& kept);
 

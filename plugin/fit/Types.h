@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -51,6 +52,7 @@ public:
     void clear() {
         mBlocks.clear();
         mSize = 0;
+        mExtent = 0.0;
         mUnbounded = 0;
         mInvalid = 0;
     }
@@ -60,13 +62,16 @@ public:
         else if (!(box.centre.cwiseAbs() + box.halfExtents).allFinite() ||
                  (box.centre.cwiseAbs() + box.halfExtents).maxCoeff() > GreatestExtent)
             ++mUnbounded;
-        else
+        else {
+            mExtent = std::max(mExtent, (box.centre.cwiseAbs() + box.halfExtents).maxCoeff());
             store(box);
+        }
     }
     /// Adds a box of a set, which has been judged there.
     void copy(const BoxSet& from, std::size_t index) {
         const Block& source = from.mBlocks[index / BlockSize];
         const std::size_t sourceLane = index % BlockSize;
+        mExtent = std::max(mExtent, from.mExtent);
         const std::size_t lane = nextLane();
         Block& block = mBlocks.back();
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -77,6 +82,8 @@ public:
     /// Counts a body that has no bounds: it may be anywhere.
     void addUnbounded() { ++mUnbounded; }
 
+    /// A bound on the boxes' coordinates: |x|, |y| and |z| of their points are at most this.
+    double extent() const { return mExtent; }
     /// How many boxes are stored.
     std::size_t size() const { return mSize; }
     /// The box of that index, below size().
@@ -103,7 +110,7 @@ private:
     /// Makes room for one box more, in that lane of the last block.
     std::size_t nextLane() {
         const std::size_t lane = mSize++ % BlockSize;
-        if (lane == 0) mBlocks.push_back({});
+        if (lane == 0) mBlocks.emplace_back();
         return lane;
     }
     void store(const Box& box) {
@@ -117,6 +124,7 @@ private:
 
     std::vector<Block> mBlocks;
     std::size_t mSize = 0;
+    double mExtent = 0.0;
     std::size_t mUnbounded = 0;
     std::size_t mInvalid = 0;
 };

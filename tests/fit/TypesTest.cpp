@@ -57,6 +57,20 @@ TEST(BoxSet, GivesBackItsBoxesInOrder) {
     }
 }
 
+TEST(BoxSet, KnowsHowFarItsBoxesReach) {
+    BoxSet set;
+    EXPECT_EQ(set.extent(), 0.0);
+    set.add({Vec3(1.0, -7.0, 3.0), Vec3(1.0, 2.0, 1.0)});
+    set.add({Vec3::Zero(), Vec3::Ones()});
+    EXPECT_EQ(set.extent(), 9.0);
+    BoxSet other;
+    other.copy(set, 1);
+    EXPECT_GE(other.extent(), 1.0);
+    EXPECT_EQ(other.box(0).halfExtents, Vec3::Ones());
+    set.clear();
+    EXPECT_EQ(set.extent(), 0.0);
+}
+
 TEST(BoxSet, IsNotEmptyWithAnUnboundedBodyAlone) {
     BoxSet set;
     set.addUnbounded();
