@@ -1,0 +1,152 @@
+#include "CaseRun.h"
+
+#include <Lixel/setup/XPSMShadowCameraSetup.h>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+
+namespace Lixel::Tests {
+namespace {
+
+/// Seconds; a case takes a tenth of one.
+constexpr unsigned TimeLimit = 20;
+
+/// Texels between points on one light ray: Lixel's contract, and what makes OGRE's shadows wrong.
+constexpr double LixelsApart = 0.25;
+constexpr double OgresApart = 1.0;
+
+/// A result as it goes through a pipe.
+struct Message {
+    bool ok;
+    std::array<char, 200> text;
+    Losses losses;
+};
+
+CaseResult judgeFrame(HardScene& scene, const std::optional<ProbedMap>& map, const MapUse& use) {
+    CaseResult result;
+    if (map && hasMap(map->reason)) {
+        result.losses = judge(scene, *map, use);
+        result.ok = result.losses.none();
+        result.text = describe(result.losses);
+        return result;
+    }
+    result.losses.shadowed = countShadowed(scene);
+    // Without a map everything is lit, which is right where nothing is in shadow.
+    const bool nothingIsLost =
+        result.losses.shadowed == 0 && (!map || map->reason < FitReason::Unbounded);
+    result.ok = nothingIsLost;
+    result.text = nothingIsLost
+                      ? "ok"
+                      : fmt::format("no map: {}", map ? toString(map->reason) : "none asked for");
+    return result;
+}
+
+Message toMessage(const CaseResult& result) {
+    Message message{result.ok, {}, result.losses};
+    result.text.copy(message.text.data(), message.text.size() - 1);
+    return message;
+}
+
+[[noreturn]] void runChild(int output, Samples::Stage& stage, const HardCase& hardCase,
+                           const Samples::NamedSetup& setup) {
+    alarm(TimeLimit);
+    // What OGRE has to say about an assertion is said by "abort".
+    dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
+    CaseResult result;
+    try {
+        result = runCase(stage, hardCase, setup);
+    } catch (const std::exception& exception) {
+        result.text = fmt::format("throws: {}", exception.what());
+    }
+    const Message message = toMessage(result);
+    const bool written = write(output, &message, sizeof message) == sizeof message;
+    _exit(written ? 0 : 1);
+}
+
+} // namespace
+
+const std::vector<Samples::NamedSetup>& judgedSetups() {
+    static const std::vector<Samples::NamedSetup> setups = [] {
+        std::vector<Samples::NamedSetup> all = Samples::shadowSetups();
+        Samples::NamedSetup literal;
+        literal.name = "XPSM-Literal";
+        literal.title = "Lixel: extended perspective shadow map, as the paper has it";
+        literal.create = [] {
+            auto setup = std::make_shared<XPSMShadowCameraSetup>();
+            setup->setGuarded(false);
+            return setup;
+        };
+        all.insert(all.begin() + 2, literal);
+        return all;
+    }();
+    return setups;
+}
+
+bool isLixels(const Samples::NamedSetup& setup) {
+    return !setup.name.starts_with("Ogre");
+}
+
+CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
+                   const Samples::NamedSetup& setup) {
+    const bool lixels = isLixels(setup);
+    stage.setShadowSetup(setup.create());
+    HardScene scene(stage);
+    hardCase.build(scene);
+    if (scene.mapWidth != 1024 || scene.mapHeight != 1024)
+        scene.manager().setShadowTextureConfig(0, static_cast<unsigned short>(scene.mapWidth),
+                                               static_cast<unsigned short>(scene.mapHeight),
+                                               Ogre::PF_FLOAT32_R);
+    MapProbe probe(scene, lixels);
+    MapUse use;
+    // Lixel's setups clamp where the render system can; OGRE's never do.
+    use.clampsDepth = lixels && stage.root().getRenderSystem()->getCapabilities()->hasCapability(
+                                    Ogre::RSC_DEPTH_CLAMP);
+    use.greatestApart = lixels ? LixelsApart : OgresApart;
+
+    for (int frame = 0; frame < hardCase.settle; ++frame) {
+        if (hardCase.eachFrame) hardCase.eachFrame(scene, frame);
+        stage.drawFrame();
+    }
+    if (hardCase.change) hardCase.change(scene);
+    if (hardCase.eachFrame) hardCase.eachFrame(scene, hardCase.settle);
+    probe.map.reset();
+    stage.drawFrame();
+    if (hardCase.repair) {
+        hardCase.repair(scene);
+        probe.map.reset();
+        stage.drawFrame();
+    }
+    return judgeFrame(scene, probe.map, use);
+}
+
+CaseResult runCaseApart(Samples::Stage& stage, const HardCase& hardCase,
+                        const Samples::NamedSetup& setup) {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe to a child process");
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("no child process");
+    if (child == 0) runChild(ends[1], stage, hardCase, setup);
+    close(ends[1]);
+    Message message{};
+    const bool complete = read(ends[0], &message, sizeof message) == sizeof message;
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (complete) return {message.ok, message.text.data(), message.losses};
+    CaseResult result;
+    result.text = !WIFSIGNALED(status)          ? "exits"
+                  : WTERMSIG(status) == SIGALRM ? "hangs"
+                  : WTERMSIG(status) == SIGABRT ? "abort"
+                                                : "crashes";
+    return result;
+}
+
+} // namespace Lixel::Tests

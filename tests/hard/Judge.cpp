@@ -1,0 +1,162 @@
+#include "Judge.h"
+
+#include "common/OracleView.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+
+namespace Lixel::Tests {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+using namespace Samples;
+
+/// Pixels of the picture that is judged.
+constexpr int Width = 128;
+constexpr int Height = 96;
+
+/// A visible point in shadow and what shadows it, relative to the scene's origin.
+struct ShadowedPoint {
+    Vector3d receiver;
+    Vector3d caster;
+    Vector3d alongLight; ///< unit vector, away from the light
+};
+
+Vector3d toEigen(const Ogre::Vector3& v) {
+    return Eigen::Vector3f(v.x, v.y, v.z).cast<double>();
+}
+
+OracleView viewOf(HardScene& scene, const Vector3d& wsOrigin) {
+    const Ogre::Camera& viewer = scene.viewer();
+    OracleView view = oracleView(
+        viewer, Width, Height, static_cast<double>(scene.light->getShadowFarDistance()), wsOrigin);
+    if (!viewer.isReflected()) return view;
+    // Which the oracle's own view leaves out.
+    const Ogre::Affine3& matrix = viewer.getViewMatrix(true);
+    Matrix4d vsFromWorld = Matrix4d::Identity();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            vsFromWorld(row, column) = static_cast<double>(matrix[row][column]);
+    Eigen::Affine3d fromOrigin = Eigen::Affine3d::Identity();
+    fromOrigin.translation() = wsOrigin;
+    view.vsFromWs = vsFromWorld * fromOrigin.matrix();
+    return view;
+}
+
+std::vector<ShadowedPoint> findShadowed(HardScene& scene, const Vector3d& wsOrigin) {
+    const ShadowOracle oracle(collectTriangles(scene.manager(), wsOrigin));
+    const OracleView view = viewOf(scene, wsOrigin);
+    const OracleLight light = oracleLight(*scene.light, wsOrigin);
+    const VisiblePoints points = oracle.visiblePoints(view);
+    const ShadowTruth truth = oracle.classify(points, view, light);
+
+    std::vector<ShadowedPoint> shadowed;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        if (truth.pixels[i] != PixelClass::Shadowed &&
+            truth.pixels[i] != PixelClass::GrazingShadowed)
+            continue;
+        const SurfacePoint& point = *points.pixels[i];
+        const bool sun = light.kind == OracleLight::Kind::Directional;
+        const Vector3d towards = sun ? Vector3d(-light.direction)
+                                     : Vector3d((light.position - point.position).normalized());
+        CasterRay ray{point.position + oracle.rayOffset() * point.normal, towards,
+                      sun ? std::numeric_limits<double>::infinity()
+                          : (light.position - point.position).norm()};
+        // Drawn are the sides that face away from the light: those that this ray sees in front.
+        double distance = 0.0;
+        oracle.firstCasters({&ray, 1}, CasterFaces::Fronts, {&distance, 1});
+        if (!std::isfinite(distance)) continue;
+        shadowed.push_back({point.position, point.position + distance * towards, -towards});
+    }
+    return shadowed;
+}
+
+/// Texels; meaningless unless w > 0.
+Vector2d texel(const ProbedMap& map, const Vector4d& clip) {
+    return {(0.5 + 0.5 * clip.x() / clip.w()) * map.width,
+            (0.5 + 0.5 * clip.y() / clip.w()) * map.height};
+}
+
+/// Whether the map shows a small triangle, counter-clockwise seen from the light, clockwise.
+bool isMirrored(const Matrix4d& clipFromWs, const ShadowedPoint& point) {
+    // The direction in which each point moves: w grad(x) - x grad(w).
+    const Vector4d clip = clipFromWs * point.caster.homogeneous();
+    const Vector3d first = point.alongLight.unitOrthogonal();
+    const Vector3d second = first.cross(point.alongLight);
+    const auto moved = [&](const Vector3d& direction) {
+        const Vector4d change = clipFromWs.leftCols<3>() * direction;
+        return Vector2d(clip.w() * change.x() - clip.x() * change.w(),
+                        clip.w() * change.y() - clip.y() * change.w());
+    };
+    const Vector2d a = moved(first);
+    const Vector2d b = moved(second);
+    return !(a.x() * b.y() - a.y() * b.x() > 0.0);
+}
+
+bool isIn(const std::vector<Eigen::AlignedBox3d>& boxes, const Vector3d& ws) {
+    for (const Eigen::AlignedBox3d& box : boxes)
+        if (box.contains(ws)) return true;
+    return false;
+}
+
+} // namespace
+
+std::size_t countShadowed(HardScene& scene) {
+    return findShadowed(scene, toEigen(scene.origin)).size();
+}
+
+Losses judge(HardScene& scene, const ProbedMap& map, const MapUse& use) {
+    const Vector3d wsOrigin = toEigen(scene.origin);
+    const Matrix4d receivers = map.receivers.relativeTo(wsOrigin);
+    const Matrix4d casters = map.casters.relativeTo(wsOrigin);
+    Losses losses;
+    losses.finite = receivers.allFinite() && casters.allFinite();
+    const std::vector<ShadowedPoint> points = findShadowed(scene, wsOrigin);
+    losses.shadowed = points.size();
+    if (points.empty() || !losses.finite) return losses;
+
+    const double share = 100.0 / static_cast<double>(points.size());
+    for (const ShadowedPoint& point : points) {
+        const Vector4d receiver = receivers * point.receiver.homogeneous();
+        const Vector4d caster = casters * point.caster.homogeneous();
+        const bool inFront = receiver.w() > 0.0;
+        const bool inside = inFront && std::abs(receiver.x()) <= receiver.w() &&
+                            std::abs(receiver.y()) <= receiver.w();
+        if (!inFront) losses.behind += share;
+        if (inFront && !inside) losses.outside += share;
+
+        const bool inRange = use.clampsDepth || std::abs(caster.z()) <= caster.w();
+        if (!(caster.w() > 0.0) || !inRange) losses.clipped += share;
+        const Vector3d wsCaster = wsOrigin + point.caster;
+        if (isIn(map.wsCulled, wsCaster) && !isIn(map.wsDrawn, wsCaster)) losses.culled += share;
+        if (!inside || !(caster.w() > 0.0)) continue;
+        const double apart = (texel(map, receiver) - texel(map, caster)).norm();
+        losses.worstApart = std::max(losses.worstApart, apart);
+        if (!(apart <= use.greatestApart)) losses.apart += share;
+        if (isMirrored(casters, point)) losses.mirrored += share;
+    }
+    return losses;
+}
+
+std::string describe(const Losses& losses) {
+    if (!losses.finite) return "not finite";
+    std::string text;
+    const std::array<std::pair<const char*, double>, 6> kinds{{{"out", losses.outside},
+                                                               {"w<=0", losses.behind},
+                                                               {"clip", losses.clipped},
+                                                               {"cull", losses.culled},
+                                                               {"apart", losses.apart},
+                                                               {"mirror", losses.mirrored}}};
+    for (const auto& [name, percent] : kinds)
+        if (percent > 0.0)
+            text += fmt::format("{}{} {:.{}f}", text.empty() ? "" : ", ", name, percent,
+                                percent < 9.95 ? 1 : 0);
+    return text.empty() ? "ok" : text;
+}
+
+} // namespace Lixel::Tests

@@ -1,0 +1,147 @@
+#include "HardCases.h"
+
+#include <cmath>
+#include <limits>
+
+namespace Lixel::Tests {
+namespace {
+
+constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+/// A sun along the view or against it, turned aside by that angle in radians.
+void sunAlongView(HardScene& scene, float sign, float aside) {
+    const Ogre::Camera& viewer = scene.viewer();
+    scene.sun(sign * viewer.getDerivedDirection() + aside * viewer.getDerivedRight());
+}
+
+/// The field, and for suns against the view a slope that they still light.
+void addSlope(HardScene& scene) {
+    scene.addField();
+    Ogre::SceneNode* const slope = scene.addBox({0, 8, -40}, {80, 1, 80}, false);
+    slope->pitch(Ogre::Degree(25));
+}
+
+std::function<void(HardScene&)> alongView(float sign, float aside) {
+    return [=](HardScene& scene) {
+        if (sign < 0) scene.look({0, 2, 16}, {0, 3, 0});
+        addSlope(scene);
+        sunAlongView(scene, sign, aside);
+    };
+}
+
+std::function<void(HardScene&)> fieldUnderSpot(const Ogre::Vector3& position,
+                                               const Ogre::Vector3& target, float outerDegrees) {
+    return [=](HardScene& scene) {
+        scene.addField();
+        scene.spot(position, target, outerDegrees);
+    };
+}
+
+/// Puts up with a light direction that is no direction, and has a good one again.
+HardCase badDirection(const std::string& name, const Ogre::Vector3& direction) {
+    HardCase bad;
+    bad.name = name;
+    bad.build = [](HardScene& scene) { scene.addField(); };
+    bad.change = [=](HardScene& scene) { scene.setOwnDirection(direction); };
+    // Attached, a light's own direction is relative to its node's.
+    bad.repair = [](HardScene& scene) { scene.setOwnDirection(Ogre::Vector3::NEGATIVE_UNIT_Z); };
+    return bad;
+}
+
+} // namespace
+
+std::vector<HardCase> lightCases() {
+    std::vector<HardCase> cases;
+    const auto add = [&](const char* name, const std::function<void(HardScene&)>& build) {
+        cases.push_back({.name = name, .build = build});
+        return &cases.back();
+    };
+    add("light along the camera's up", [](HardScene& s) {
+        s.addField();
+        s.sun(-s.viewer().getDerivedUp());
+    });
+    add("light straight down, camera level", [](HardScene& s) {
+        s.look({0, 3, 16}, {0, 3, 0});
+        s.addField();
+        s.sun({0, -1, 0});
+    });
+    add("light straight down", [](HardScene& s) {
+        s.addField();
+        s.sun({0, -1, 0});
+    });
+    add("light and camera straight down", [](HardScene& s) {
+        s.look({3, 30, 1}, {3, 0, 1});
+        s.addField();
+        s.sun({0, -1, 0});
+    });
+    add("light along the camera's right", [](HardScene& s) {
+        s.addField();
+        s.viewer().getParentSceneNode()->roll(Ogre::Degree(30));
+        s.sun(-s.viewer().getDerivedRight());
+    });
+    add("light along the view", alongView(1, 0));
+    add("light along the view but for 1e-6", alongView(1, 1e-6F));
+    add("light along the view but for 1e-3", alongView(1, 1e-3F));
+    add("light against the view", alongView(-1, 0));
+    add("light against the view but for 1e-6", alongView(-1, 1e-6F));
+    add("light against the view but for 1e-3", alongView(-1, 1e-3F));
+    add("caster 2000 units behind, sun at 10 degrees", [](HardScene& s) {
+        s.addGround();
+        const float slope = std::tan(Ogre::Degree(10).valueRadians());
+        s.addBox({0, 2016 * slope, 2016}, {6, 12, 6});
+        s.sun({0, -slope, -1});
+    });
+    add("sun at the horizon over a huge terrain", [](HardScene& s) {
+        s.addField();
+        s.addGround(5000, 4);
+        s.setPlanes(0.1F, 10000);
+        s.setReach(5000);
+        s.sunAt(60, 4);
+    });
+    add("sun at 1 degree", [](HardScene& s) {
+        s.addField();
+        s.sunAt(100, 1);
+    });
+    add("flat receiver, light in its plane", [](HardScene& s) {
+        s.addBox({0, 0, 0}, {100, 0, 100}, false);
+        s.addBox({0, 1, 0}, {2, 2, 2});
+        s.sun({-1, 0, 0});
+    });
+    add("flat receiver alone, light in its plane", [](HardScene& s) {
+        s.addBox({0, 0, 0}, {100, 0, 100});
+        s.sun({-1, 0, 0});
+    });
+    cases.push_back(badDirection("light direction NaN", Ogre::Vector3(NaN, NaN, NaN)));
+    cases.push_back(badDirection("light direction infinite", Ogre::Vector3(Infinity, 0, 0)));
+    add("spot 60 degrees", fieldUnderSpot({12, 14, 2}, {0, 0, 0}, 60));
+    add("spot 100 degrees", fieldUnderSpot({12, 14, 2}, {0, 0, 0}, 100));
+    add("spot 150 degrees", fieldUnderSpot({12, 14, 2}, {0, 0, 0}, 150));
+    add("spot 170 degrees", fieldUnderSpot({2, 14, 2}, {0, 0, 0}, 170));
+    add("spot 179 degrees", fieldUnderSpot({2, 14, 2}, {0, 0, 0}, 179));
+    add("spot inside the view", fieldUnderSpot({1, 5, 0}, {-6, 0, -6}, 80));
+    add("spot behind the viewer", fieldUnderSpot({0, 12, 30}, {0, 0, 0}, 60));
+    add("spot at the viewer", fieldUnderSpot({0, 8, 16}, {0, 0, 0}, 70));
+    add("spot against the viewer", fieldUnderSpot({0, 6, -20}, {0, 6, 16}, 100));
+    add("spot straight down", fieldUnderSpot({2, 15, 0}, {2, 0, 0}, 90));
+    add("spot of half a degree, 1000 away", fieldUnderSpot({600, 800, 0}, {0, 0, 0}, 0.5F));
+    add("light inside a caster's box", [](HardScene& s) {
+        s.addField();
+        s.addBox({8, 12, 0}, {2, 2, 2});
+        s.spot({8, 12, 0}, {0, 0, 0}, 90);
+    });
+    add("light at a caster's side", [](HardScene& s) {
+        s.addField();
+        s.addBox({8, 12, 0}, {2, 2, 2});
+        s.spot({6.9F, 12, 0}, {-5, 0, 0}, 90);
+    });
+    HardCase* const point = add("point light", [](HardScene& s) {
+        s.addField();
+        s.spot({6, 10, 0}, {0, 0, 0}, 90);
+        s.light->setType(Ogre::Light::LT_POINT);
+    });
+    point->known = "unsupported light";
+    return cases;
+}
+
+} // namespace Lixel::Tests

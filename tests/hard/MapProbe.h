@@ -1,0 +1,58 @@
+#pragma once
+
+#include "HardScene.h"
+
+#include <Lixel/setup/ShadowMapObserver.h>
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <vector>
+
+namespace Lixel::Tests {
+
+/// A matrix of floats, as programs get it, and what the positions that it acts on are relative to.
+struct DrawnMatrix {
+    Eigen::Matrix4d clipFromBase = Eigen::Matrix4d::Zero(); ///< OpenGL clip space
+    Eigen::Vector3d wsBase = Eigen::Vector3d::Zero();       ///< world coordinates
+
+    /// The same for positions relative to another point of the world.
+    Eigen::Matrix4d relativeTo(const Eigen::Vector3d& wsOrigin) const;
+};
+
+/// What a map is drawn and read with.
+struct ProbedMap {
+    FitReason reason = FitReason::InvalidInput;
+    DrawnMatrix casters;
+    DrawnMatrix receivers;
+    int width = 0;  ///< texels
+    int height = 0; ///< texels
+    /// World boxes of casters that the shadow camera culls, grown by a little.
+    std::vector<Eigen::AlignedBox3d> wsCulled;
+    /// World boxes of casters that it draws, grown by the same.
+    std::vector<Eigen::AlignedBox3d> wsDrawn;
+};
+
+/** Keeps the last map of a scene's light.
+
+    @param lixel whether the setup is Lixel's, whose receivers are handed their own matrix; those of
+    OGRE's setups get OGRE's texture_viewproj_matrix
+*/
+class MapProbe : private ShadowMapObserver {
+public:
+    MapProbe(HardScene& scene, bool lixel);
+    ~MapProbe() override;
+    MapProbe(const MapProbe&) = delete;
+    MapProbe& operator=(const MapProbe&) = delete;
+
+    /// Of the last frame; none where no setup was asked for a map.
+    std::optional<ProbedMap> map;
+
+private:
+    void shadowMapFitted(const ShadowMap& fitted) override;
+
+    HardScene& mScene;
+    bool mLixel;
+};
+
+} // namespace Lixel::Tests
