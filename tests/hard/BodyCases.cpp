@@ -122,7 +122,11 @@ std::vector<HardCase> bodyCases() {
     };
     add("one caster far away among many", [](HardScene& s) {
         s.addField();
-        s.addBox({5e5F, 5e5F, 1.5e5F}, {5, 5, 5});
+        s.addBox({2e4F, 2e4F, 6e3F}, {5, 5, 5});
+    });
+    add("one caster a million units away", [](HardScene& s) {
+        s.addField();
+        s.addBox({7e5F, 7e5F, 2.1e5F}, {5, 5, 5});
     });
     add("one receiver far away among many", [](HardScene& s) {
         s.addField();

@@ -54,8 +54,11 @@ void HardScene::addField() {
     for (int x = -3; x <= 3; ++x)
         for (int z = -3; z <= 3; ++z) {
             const float height = static_cast<float>(1 + (x * z + 12) % 4);
-            addBox({8.0F * static_cast<float>(x), 0.5F * height, 8.0F * static_cast<float>(z) + 3},
-                   {1.5F, height, 1.5F});
+            const Ogre::Vector3 base(8.0F * static_cast<float>(x), 0,
+                                     8.0F * static_cast<float>(z) + 3);
+            addBox(base + Ogre::Vector3(0, 0.5F * height, 0), {1.5F, height, 1.5F});
+            // A light overhead finds something to shadow under it.
+            addBox(base + Ogre::Vector3(0.5F, height + 1, 0), {3, 0.2F, 3});
         }
 }
 
@@ -94,6 +97,12 @@ void HardScene::spot(const Ogre::Vector3& position, const Ogre::Vector3& target,
     light->setSpotlightRange(Ogre::Degree(0.8F * outerDegrees), Ogre::Degree(outerDegrees), 1);
     light->getParentSceneNode()->setPosition(toWorld(position));
     light->getParentSceneNode()->setDirection(target - position, Ogre::Node::TS_WORLD);
+}
+
+void HardScene::sunExactly(const Ogre::Vector3& direction) {
+    light->setType(Ogre::Light::LT_DIRECTIONAL);
+    light->getParentSceneNode()->resetOrientation();
+    setOwnDirection(direction);
 }
 
 void HardScene::setOwnDirection(const Ogre::Vector3& direction) {

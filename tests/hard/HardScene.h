@@ -33,13 +33,15 @@ public:
                             bool casts = true, bool receives = true);
     /// Tiles with their upper side at y = 0 that receive and do not cast.
     void addGround(float halfSide = 100.0F, int tiles = 8);
-    /// Ground, and 7 x 7 boxes from 1 to 4 high, all around the origin.
+    /// Ground, and all around the origin 7 x 7 boxes from 1 to 4 high, each with a roof over it.
     void addField();
 
     void look(const Ogre::Vector3& eye, const Ogre::Vector3& target);
     void setPlanes(float near, float far);
     void setReach(float distance);
     void sun(const Ogre::Vector3& direction);
+    /// The same to the last bit, which a node's rotation would not be.
+    void sunExactly(const Ogre::Vector3& direction);
     /// A sun that stands `elevation` degrees high over `azimuth`: 0 over +z, 90 over +x.
     void sunAt(float azimuth, float elevation);
     void spot(const Ogre::Vector3& position, const Ogre::Vector3& target, float outerDegrees);

@@ -13,8 +13,9 @@ struct Losses {
     double behind = 0.0;      ///< w <= 0
     double clipped = 0.0;     ///< their caster is outside the depth range, which does not clamp
     double culled = 0.0;      ///< their caster is culled by the shadow camera
-    /// The caster on their light ray falls too far beside them in the map; mirrored maps too.
-    double apart = 0.0;
+    double apart = 0.0; ///< the caster on their light ray falls too far beside them in the map
+    /// The same, but no farther than floats of this size are from one another: no setup's fault.
+    double coarse = 0.0;
     double mirrored = 0.0;   ///< the map shows their caster mirrored
     double worstApart = 0.0; ///< the largest such distance, in texels
     bool finite = true;      ///< all matrices are
@@ -40,7 +41,7 @@ Losses judge(HardScene& scene, const ProbedMap& map, const MapUse& use);
 /// How many points that the viewer sees are in shadow.
 std::size_t countShadowed(HardScene& scene);
 
-/// Such as "out 52.0 clip 3.1", in percent; "ok" where nothing is lost.
+/// Such as "out 52, clip 3.1", in percent; "ok" where nothing is lost.
 std::string describe(const Losses& losses);
 
 } // namespace Lixel::Tests

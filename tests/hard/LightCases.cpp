@@ -61,6 +61,23 @@ std::vector<HardCase> lightCases() {
         s.addField();
         s.sun(-s.viewer().getDerivedUp());
     });
+    add("light exactly along the camera's up", [](HardScene& s) {
+        s.viewer().getParentSceneNode()->resetOrientation();
+        s.addField();
+        s.sunExactly({0, -1, 0});
+    });
+    add("light exactly along the view", [](HardScene& s) {
+        s.viewer().getParentSceneNode()->resetOrientation();
+        s.addField();
+        s.addBox({0, 0, -40}, {80, 40, 1}, false);
+        s.addBox({2, 8, 0}, {1, 1, 1});
+        s.sunExactly({0, 0, -1});
+    });
+    add("light exactly against the view", [](HardScene& s) {
+        s.viewer().getParentSceneNode()->resetOrientation();
+        s.addField();
+        s.sunExactly({0, 0, 1});
+    });
     add("light straight down, camera level", [](HardScene& s) {
         s.look({0, 3, 16}, {0, 3, 0});
         s.addField();
@@ -106,11 +123,11 @@ std::vector<HardCase> lightCases() {
     add("flat receiver, light in its plane", [](HardScene& s) {
         s.addBox({0, 0, 0}, {100, 0, 100}, false);
         s.addBox({0, 1, 0}, {2, 2, 2});
-        s.sun({-1, 0, 0});
+        s.sunExactly({-1, 0, 0});
     });
     add("flat receiver alone, light in its plane", [](HardScene& s) {
         s.addBox({0, 0, 0}, {100, 0, 100});
-        s.sun({-1, 0, 0});
+        s.sunExactly({-1, 0, 0});
     });
     cases.push_back(badDirection("light direction NaN", Ogre::Vector3(NaN, NaN, NaN)));
     cases.push_back(badDirection("light direction infinite", Ogre::Vector3(Infinity, 0, 0)));
@@ -122,6 +139,7 @@ std::vector<HardCase> lightCases() {
     add("spot inside the view", fieldUnderSpot({1, 5, 0}, {-6, 0, -6}, 80));
     add("spot behind the viewer", fieldUnderSpot({0, 12, 30}, {0, 0, 0}, 60));
     add("spot at the viewer", fieldUnderSpot({0, 8, 16}, {0, 0, 0}, 70));
+    add("spot beside the viewer", fieldUnderSpot({0.2F, 8, 16}, {0, 0, 0}, 70));
     add("spot against the viewer", fieldUnderSpot({0, 6, -20}, {0, 6, 16}, 100));
     add("spot straight down", fieldUnderSpot({2, 15, 0}, {2, 0, 0}, 90));
     add("spot of half a degree, 1000 away", fieldUnderSpot({600, 800, 0}, {0, 0, 0}, 0.5F));

@@ -29,7 +29,7 @@ void takeTurns(HardScene& scene, int frame) {
         Ogre::Camera* const first = scene.stage.viewport().getCamera();
         scene.stage.viewport().setCamera(second);
         scene.setPlanes(0.1F, 1000);
-        scene.look({5, 3, -30}, {0, 0, -60});
+        scene.look({-5, 5, -40}, {0, 0, -10});
         scene.stage.viewport().setCamera(first);
     }
     scene.stage.viewport().setCamera(manager.getCamera(frame % 2 == 0 ? "Viewer" : "Second"));
@@ -127,7 +127,7 @@ std::vector<HardCase> viewCases() {
         s.addField();
     });
     add("shadow distance just beyond the nearest shadow", [](HardScene& s) {
-        s.setReach(10);
+        s.setReach(15);
         s.addField();
     });
     add("shadow distance 1e6", [](HardScene& s) {

@@ -59,6 +59,7 @@ nlohmann::json toJson(const HardCase& hardCase, const Samples::NamedSetup& setup
             {"clippedPercent", losses.clipped},
             {"culledPercent", losses.culled},
             {"apartPercent", losses.apart},
+            {"coarsePercent", losses.coarse},
             {"mirroredPercent", losses.mirrored},
             {"worstApartTexels", losses.worstApart}};
 }
@@ -98,7 +99,7 @@ int run(const Options& options) {
                 same->second += " " + setup->name;
         }
         for (const auto& [text, names] : lines)
-            fmt::print("    {:<30} {}\n", text, names);
+            fmt::print("    {:<34} {}\n", text, names);
         if (shadowed == 0) fmt::print("    (nothing visible is in shadow)\n");
         std::fflush(stdout);
     }
