@@ -2,10 +2,12 @@
 
 #include "common/OracleView.h"
 
+#include <Eigen/QR>
 #include <fmt/core.h>
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace Lixel::Tests {
 namespace {
@@ -25,6 +27,7 @@ struct ShadowedPoint {
     Vector3d receiver;
     Vector3d caster;
     Vector3d alongLight; ///< unit vector, away from the light
+    double tolerance;    ///< how exactly the caster's point is known, in world units
 };
 
 Vector3d toEigen(const Ogre::Vector3& v) {
@@ -50,6 +53,8 @@ OracleView viewOf(HardScene& scene, const Vector3d& wsOrigin) {
 
 std::vector<ShadowedPoint> findShadowed(HardScene& scene, const Vector3d& wsOrigin) {
     const ShadowOracle oracle(collectTriangles(scene.manager(), wsOrigin));
+    // The ray starts one offset beside the point.
+    const double tolerance = 2.0 * oracle.rayOffset();
     const OracleView view = viewOf(scene, wsOrigin);
     const OracleLight light = oracleLight(*scene.light, wsOrigin);
     const VisiblePoints points = oracle.visiblePoints(view);
@@ -71,7 +76,8 @@ std::vector<ShadowedPoint> findShadowed(HardScene& scene, const Vector3d& wsOrig
         double distance = 0.0;
         oracle.firstCasters({&ray, 1}, CasterFaces::Fronts, {&distance, 1});
         if (!std::isfinite(distance)) continue;
-        shadowed.push_back({point.position, point.position + distance * towards, -towards});
+        shadowed.push_back(
+            {point.position, point.position + distance * towards, -towards, tolerance});
     }
     return shadowed;
 }
@@ -115,10 +121,32 @@ bool isMirrored(const Matrix4d& clipFromWs, const ShadowedPoint& point) {
     return !(a.x() * b.y() - a.y() * b.x() > 0.0);
 }
 
-bool isIn(const std::vector<Eigen::AlignedBox3d>& boxes, const Vector3d& ws) {
-    for (const Eigen::AlignedBox3d& box : boxes)
-        if (box.contains(ws)) return true;
-    return false;
+/// Whether the first of two casters whose boxes share a point is rather meant.
+bool tighter(const ProbedCaster& one, const ProbedCaster& other) {
+    if (one.drawn != other.drawn) return one.drawn;
+    return one.wsBox.volume() < other.wsBox.volume();
+}
+
+/** The caster that the point is on: one that is drawn, if there are several. Null: none.
+    @param distance from its box that the point may have, in world units
+*/
+const ProbedCaster* casterAt(const ProbedMap& map, const Vector3d& ws, double distance) {
+    const ProbedCaster* found = nullptr;
+    for (const ProbedCaster& caster : map.casters)
+        if (caster.wsBox.squaredExteriorDistance(ws) <= distance * distance &&
+            (found == nullptr || tighter(caster, *found)))
+            found = &caster;
+    return found;
+}
+
+/// OpenGL clip space from positions relative to wsOrigin, as the caster is drawn.
+Matrix4d clipOf(const ProbedCaster& caster, const Vector3d& wsOrigin) {
+    // Of a flat body too, where a matrix has no inverse.
+    Eigen::Affine3d objectFromWs = Eigen::Affine3d::Identity();
+    objectFromWs.linear() =
+        caster.wsFromObject.linear().completeOrthogonalDecomposition().pseudoInverse();
+    objectFromWs.translate(wsOrigin - caster.wsFromObject.translation());
+    return caster.clipFromObject * objectFromWs.matrix();
 }
 
 } // namespace
@@ -130,9 +158,10 @@ std::size_t countShadowed(HardScene& scene) {
 Losses judge(HardScene& scene, const ProbedMap& map, const MapUse& use) {
     const Vector3d wsOrigin = toEigen(scene.origin);
     const Matrix4d receivers = map.receivers.relativeTo(wsOrigin);
-    const Matrix4d casters = map.casters.relativeTo(wsOrigin);
     Losses losses;
-    losses.finite = receivers.allFinite() && casters.allFinite();
+    losses.finite = receivers.allFinite();
+    for (const ProbedCaster& caster : map.casters)
+        losses.finite = losses.finite && caster.clipFromObject.allFinite();
     const std::vector<ShadowedPoint> points = findShadowed(scene, wsOrigin);
     losses.shadowed = points.size();
     if (points.empty() || !losses.finite) return losses;
@@ -140,23 +169,26 @@ Losses judge(HardScene& scene, const ProbedMap& map, const MapUse& use) {
     const double share = 100.0 / static_cast<double>(points.size());
     for (const ShadowedPoint& point : points) {
         const Vector4d receiver = receivers * point.receiver.homogeneous();
-        const Vector4d caster = casters * point.caster.homogeneous();
         const bool inFront = receiver.w() > 0.0;
         const bool inside = inFront && std::abs(receiver.x()) <= receiver.w() &&
                             std::abs(receiver.y()) <= receiver.w();
         if (!inFront) losses.behind += share;
         if (inFront && !inside) losses.outside += share;
 
+        const Vector3d wsCaster = wsOrigin + point.caster;
+        const ProbedCaster* const found = casterAt(map, wsCaster, point.tolerance);
+        if (found == nullptr) throw std::logic_error("a shadow without a caster");
+        if (!found->drawn) losses.culled += share;
+        const Matrix4d casters = clipOf(*found, wsOrigin);
+        const Vector4d caster = casters * point.caster.homogeneous();
         const bool inRange = use.clampsDepth || std::abs(caster.z()) <= caster.w();
         if (!(caster.w() > 0.0) || !inRange) losses.clipped += share;
-        const Vector3d wsCaster = wsOrigin + point.caster;
-        if (isIn(map.wsCulled, wsCaster) && !isIn(map.wsDrawn, wsCaster)) losses.culled += share;
         if (!inside || !(caster.w() > 0.0)) continue;
         const double apart = (texel(map, receiver) - texel(map, caster)).norm();
         losses.worstApart = std::max(losses.worstApart, apart);
         const double floats =
-            rounding(map, receivers, receiver, wsOrigin + point.receiver - map.receivers.wsBase) +
-            rounding(map, casters, caster, wsCaster - map.casters.wsBase);
+            rounding(map, receivers, receiver, wsOrigin + point.receiver - map.wsBase) +
+            rounding(map, casters, caster, wsCaster - map.wsBase);
         if (!(apart <= use.greatestApart))
             (apart <= floats ? losses.coarse : losses.apart) += share;
         if (isMirrored(casters, point)) losses.mirrored += share;

@@ -20,12 +20,33 @@ Eigen::Matrix4d product(const Ogre::Matrix4& projection, const Ogre::Affine3& vi
     return (toEigen(projection) * toEigen(Ogre::Matrix4(view))).cast<double>();
 }
 
-DrawnMatrix casterMatrix(const Ogre::Camera& camera, bool cameraRelative) {
+/// Clip space from object: what OGRE hands to caster programs, multiplied in floats in its order.
+Eigen::Matrix4d casterMatrix(const Ogre::Camera& camera, const Ogre::Matrix4& wsFromObject,
+                             bool cameraRelative) {
     Ogre::Affine3 view = camera.getViewMatrix(true);
-    if (!cameraRelative) return {product(camera.getProjectionMatrix(), view), {0, 0, 0}};
-    // What OGRE draws is then relative to the camera that draws it.
-    view.setTrans(Ogre::Vector3::ZERO);
-    return {product(camera.getProjectionMatrix(), view), toEigen(camera.getDerivedPosition())};
+    Ogre::Matrix4 world = wsFromObject;
+    if (cameraRelative) {
+        // Then all is relative to the camera that draws.
+        view.setTrans(Ogre::Vector3::ZERO);
+        world.setTrans(world.getTrans() - camera.getDerivedPosition());
+    }
+    const Eigen::Matrix4f vsFromObject = toEigen(Ogre::Matrix4(view)) * toEigen(world);
+    return (toEigen(camera.getProjectionMatrix()) * vsFromObject).cast<double>();
+}
+
+ProbedCaster probeCaster(const Ogre::MovableObject& object, const Ogre::Camera& camera,
+                         bool cameraRelative) {
+    ProbedCaster caster;
+    const Ogre::AxisAlignedBox& box = object.getWorldBoundingBox(true);
+    caster.drawn = camera.isVisible(box);
+    const Eigen::Vector3d infinite =
+        Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    caster.wsBox = {-infinite, infinite};
+    if (box.isFinite()) caster.wsBox = {toEigen(box.getMinimum()), toEigen(box.getMaximum())};
+    const Ogre::Matrix4 wsFromObject = object.getParentSceneNode()->_getFullTransform();
+    caster.wsFromObject.matrix() = toEigen(wsFromObject).cast<double>();
+    caster.clipFromObject = casterMatrix(camera, wsFromObject, cameraRelative);
+    return caster;
 }
 
 /// OGRE's texture_viewproj_matrix, without its last step from clip space to the picture.
@@ -75,22 +96,14 @@ void MapProbe::shadowMapFitted(const ShadowMap& fitted) {
     probed.width = fitted.width;
     probed.height = fitted.height;
     const bool relative = mScene.manager().getCameraRelativeRendering();
-    probed.casters = casterMatrix(fitted.shadowCamera, relative);
+    if (relative) probed.wsBase = toEigen(fitted.viewer.getDerivedPosition());
     probed.receivers = mLixel ? fittedMatrix(fitted, relative)
                               : projectorMatrix(fitted.shadowCamera, fitted.viewer, relative);
     if (!fitted.fit.hasMap()) return;
     for (const char* const type : {"Entity", "ManualObject"})
-        for (const auto& [name, object] : mScene.manager().getMovableObjects(type)) {
-            if (!object->getCastShadows() || !object->isInScene()) continue;
-            const Ogre::AxisAlignedBox& box = object->getWorldBoundingBox(true);
-            const bool drawn = fitted.shadowCamera.isVisible(box);
-            if (!box.isFinite()) continue;
-            Eigen::AlignedBox3d grown(toEigen(box.getMinimum()), toEigen(box.getMaximum()));
-            const Eigen::Vector3d margin =
-                Eigen::Vector3d::Constant(1e-3 * grown.diagonal().norm());
-            grown = Eigen::AlignedBox3d(grown.min() - margin, grown.max() + margin);
-            (drawn ? probed.wsDrawn : probed.wsCulled).push_back(grown);
-        }
+        for (const auto& [name, object] : mScene.manager().getMovableObjects(type))
+            if (object->getCastShadows() && object->isInScene())
+                probed.casters.push_back(probeCaster(*object, fitted.shadowCamera, relative));
 }
 
 } // namespace Lixel::Tests

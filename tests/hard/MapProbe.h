@@ -20,17 +20,26 @@ struct DrawnMatrix {
     Eigen::Matrix4d relativeTo(const Eigen::Vector3d& wsOrigin) const;
 };
 
+/// A caster, and what the map has it drawn with.
+struct ProbedCaster {
+    /// Infinite where the object has no bounds.
+    Eigen::AlignedBox3d wsBox;
+    bool drawn = false; ///< the shadow camera does not cull it
+    /// World from object in floats, and OpenGL clip space from object as OGRE multiplies it.
+    Eigen::Affine3d wsFromObject = Eigen::Affine3d::Identity();
+    Eigen::Matrix4d clipFromObject = Eigen::Matrix4d::Zero();
+};
+
 /// What a map is drawn and read with.
 struct ProbedMap {
     FitReason reason = FitReason::InvalidInput;
-    DrawnMatrix casters;
     DrawnMatrix receivers;
+    std::vector<ProbedCaster> casters;
+    /// What positions are relative to in every program, in world coordinates: the viewer with
+    /// camera-relative rendering, else the world's origin.
+    Eigen::Vector3d wsBase = Eigen::Vector3d::Zero();
     int width = 0;  ///< texels
     int height = 0; ///< texels
-    /// World boxes of casters that the shadow camera culls, grown by a little.
-    std::vector<Eigen::AlignedBox3d> wsCulled;
-    /// World boxes of casters that it draws, grown by the same.
-    std::vector<Eigen::AlignedBox3d> wsDrawn;
 };
 
 /** Keeps the last map of a scene's light.

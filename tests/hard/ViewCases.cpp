@@ -98,7 +98,7 @@ std::vector<HardCase> viewCases() {
         s.addBox({0, 20, 0}, {40, 1, 40}, false);
         s.addBox({2, 10, 1}, {2, 2, 2});
         s.look({0, 1, 0}, {0, 20, 0});
-        s.sun({0.3F, 1, 0.2F});
+        s.sun({-0.5F, 1, 0.2F});
     });
     add("camera rolled by 90 degrees", [](HardScene& s) {
         s.viewer().getParentSceneNode()->roll(Ogre::Degree(90));
