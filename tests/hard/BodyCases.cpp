@@ -77,20 +77,20 @@ std::vector<HardCase> bodyCases() {
 
     HardCase* const empty = add("empty scene", [](HardScene&) {});
     empty->repair = boxOnGround;
-    add("no casters", [](HardScene& s) { s.addGround(); });
+    add("no casters", [](HardScene& s) { s.addGround(); })->nothingShadowed = true;
     add("no receivers", [](HardScene& s) {
         s.addBox({0, -1, 0}, {100, 1, 100}, true, false);
         s.addBox({0, 1, 0}, {2, 2, 2}, true, false);
-    });
+    })->nothingShadowed = true;
     add("one box on the ground", boxOnGround);
     add("one receiver without area: a point", [](HardScene& s) {
         s.addBox({0, 0, 0}, {0, 0, 0}, false);
         s.addBox({2, 2, 0.6F}, {2, 2, 2}, true, false);
-    });
+    })->nothingShadowed = true;
     add("one receiver without area: a line", [](HardScene& s) {
         s.addBox({0, 0, 0}, {10, 0, 0}, false);
         s.addBox({2, 2, 0.6F}, {2, 2, 2}, true, false);
-    });
+    })->nothingShadowed = true;
     add("one receiver a thousandth wide", [](HardScene& s) {
         s.addBox({0, 0, 0}, {1e-3F, 1e-3F, 1e-3F}, false);
         s.addBox({2, 2, 0.6F}, {2, 2, 2}, true, false);
@@ -100,7 +100,7 @@ std::vector<HardCase> bodyCases() {
     add("caster without area: a point", [](HardScene& s) {
         s.addGround();
         s.addBox({0, 1, 0}, {0, 0, 0});
-    });
+    })->nothingShadowed = true;
     add("flat caster", [](HardScene& s) {
         s.addGround();
         s.addBox({0, 1, 0}, {2, 0, 2});

@@ -21,6 +21,8 @@ struct HardCase {
     /** For bad input: makes it good again. The frame with the bad input must then only be survived,
         and the first one after the repair is judged. */
     std::function<void(HardScene&)> repair = {};
+    /// Whether nothing that the viewer sees is in shadow: what counts is that it is survived.
+    bool nothingShadowed = false;
     /// Why Lixel's own setups are known to fail; empty where they must not.
     std::string known = {};
 };
