@@ -1,5 +1,6 @@
 #include "CaseRun.h"
 
+#include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
 #include <fcntl.h>
@@ -8,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
@@ -84,6 +86,16 @@ const std::vector<Samples::NamedSetup>& judgedSetups() {
             return setup;
         };
         all.insert(all.begin() + 2, literal);
+        Samples::NamedSetup exact;
+        exact.name = "PlaneOptimal-Exact";
+        exact.title = "Lixel: exactly the viewer's picture of the ground plane";
+        exact.create = [] {
+            auto setup = std::make_shared<PlaneOptimalShadowCameraSetup>();
+            setup->setExact(true);
+            return setup;
+        };
+        const auto ogres = std::find_if_not(all.begin(), all.end(), isLixels);
+        all.insert(ogres, exact);
         return all;
     }();
     return setups;

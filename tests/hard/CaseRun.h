@@ -17,7 +17,8 @@ struct CaseResult {
     Losses losses;
 };
 
-/// All setups that are judged: the samples', and XPSM without its guard.
+/// All setups that are judged: the samples', XPSM without its guard, and the exact PlaneOptimal,
+/// which says what it serves.
 const std::vector<Samples::NamedSetup>& judgedSetups();
 /// Whether it is one of Lixel's own.
 bool isLixels(const Samples::NamedSetup& setup);

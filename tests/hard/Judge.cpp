@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -139,6 +140,12 @@ const ProbedCaster* casterAt(const ProbedMap& map, const Vector3d& ws, double di
     return found;
 }
 
+bool isServed(const ProbedMap& map, const Vector3d& ws) {
+    const Vector4d position = (ws - map.wsFitOrigin).homogeneous();
+    return std::all_of(map.wsServed.begin(), map.wsServed.end(),
+                       [&](const Vector4d& half) { return half.dot(position) >= 0.0; });
+}
+
 /// OpenGL clip space from positions relative to wsOrigin, as the caster is drawn.
 Matrix4d clipOf(const ProbedCaster& caster, const Vector3d& wsOrigin) {
     // Of a flat body too, where a matrix has no inverse.
@@ -168,6 +175,10 @@ Losses judge(HardScene& scene, const ProbedMap& map, const MapUse& use) {
 
     const double share = 100.0 / static_cast<double>(points.size());
     for (const ShadowedPoint& point : points) {
+        if (!isServed(map, wsOrigin + point.receiver)) {
+            losses.unserved += share;
+            continue;
+        }
         const Vector4d receiver = receivers * point.receiver.homogeneous();
         const bool inFront = receiver.w() > 0.0;
         const bool inside = inFront && std::abs(receiver.x()) <= receiver.w() &&
@@ -210,6 +221,7 @@ std::string describe(const Losses& losses) {
             text += fmt::format("{}{} {:.{}f}", text.empty() ? "" : ", ", name, percent,
                                 percent < 9.95 ? 1 : 0);
     if (!text.empty()) return text;
+    if (losses.unserved > 0.0) return fmt::format("ok but serves {:.0f}", 100.0 - losses.unserved);
     if (losses.coarse > 0.0)
         return fmt::format("ok but for floats ({:.1f} texels)", losses.worstApart);
     return "ok";

@@ -17,6 +17,7 @@ struct Losses {
     /// The same, but no farther than floats of this size are from one another: no setup's fault.
     double coarse = 0.0;
     double mirrored = 0.0;   ///< the map shows their caster mirrored
+    double unserved = 0.0;   ///< outside of what the map says that it serves; judged no further
     double worstApart = 0.0; ///< the largest such distance, in texels
     bool finite = true;      ///< all matrices are
 

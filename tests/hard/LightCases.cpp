@@ -38,7 +38,10 @@ std::function<void(HardScene&)> fieldUnderSpot(const Ogre::Vector3& position,
     };
 }
 
-/// Puts up with a light direction that is no direction, and has a good one again.
+/** Puts up with a light direction that is no direction, and has a good one again.
+
+    The plugin hides such a light from OGRE, which spares OGRE's own setups too.
+*/
 HardCase badDirection(const std::string& name, const Ogre::Vector3& direction) {
     HardCase bad;
     bad.name = name;

@@ -93,6 +93,10 @@ void MapProbe::shadowMapFitted(const ShadowMap& fitted) {
     if (&fitted.light != mScene.light || fitted.iteration != 0) return;
     ProbedMap& probed = map.emplace();
     probed.reason = fitted.fit.reason;
+    probed.wsServed.assign(fitted.fit.wsServed.begin(),
+                           fitted.fit.wsServed.begin() +
+                               static_cast<std::ptrdiff_t>(fitted.fit.servedCount));
+    probed.wsFitOrigin = fitted.wsOrigin;
     probed.width = fitted.width;
     probed.height = fitted.height;
     const bool relative = mScene.manager().getCameraRelativeRendering();

@@ -38,8 +38,11 @@ struct ProbedMap {
     /// What positions are relative to in every program, in world coordinates: the viewer with
     /// camera-relative rendering, else the world's origin.
     Eigen::Vector3d wsBase = Eigen::Vector3d::Zero();
-    int width = 0;  ///< texels
-    int height = 0; ///< texels
+    /// Half spaces n . x + d >= 0 as (n, d), relative to wsFitOrigin: what the map serves.
+    std::vector<Eigen::Vector4d> wsServed;
+    Eigen::Vector3d wsFitOrigin = Eigen::Vector3d::Zero(); ///< world coordinates
+    int width = 0;                                         ///< texels
+    int height = 0;                                        ///< texels
 };
 
 /** Keeps the last map of a scene's light.

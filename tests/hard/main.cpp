@@ -63,6 +63,7 @@ nlohmann::json toJson(const HardCase& hardCase, const Samples::NamedSetup& setup
             {"apartPercent", losses.apart},
             {"coarsePercent", losses.coarse},
             {"mirroredPercent", losses.mirrored},
+            {"unservedPercent", losses.unserved},
             {"worstApartTexels", losses.worstApart}};
 }
 
