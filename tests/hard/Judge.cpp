@@ -184,7 +184,14 @@ Losses judge(HardScene& scene, const ProbedMap& map, const MapUse& use) {
         const bool inside = inFront && std::abs(receiver.x()) <= receiver.w() &&
                             std::abs(receiver.y()) <= receiver.w();
         if (!inFront) losses.behind += share;
-        if (inFront && !inside) losses.outside += share;
+        if (inFront && !inside) {
+            const double beside =
+                std::max((std::abs(receiver.x()) / receiver.w() - 1.0) * 0.5 * map.width,
+                         (std::abs(receiver.y()) / receiver.w() - 1.0) * 0.5 * map.height);
+            const double floats =
+                rounding(map, receivers, receiver, wsOrigin + point.receiver - map.wsBase);
+            (beside <= floats ? losses.coarse : losses.outside) += share;
+        }
 
         const Vector3d wsCaster = wsOrigin + point.caster;
         const ProbedCaster* const found = casterAt(map, wsCaster, point.tolerance);
@@ -221,7 +228,7 @@ std::string describe(const Losses& losses) {
             text += fmt::format("{}{} {:.{}f}", text.empty() ? "" : ", ", name, percent,
                                 percent < 9.95 ? 1 : 0);
     if (!text.empty()) return text;
-    if (losses.unserved > 0.0) return fmt::format("ok but serves {:.0f}", 100.0 - losses.unserved);
+    if (losses.unserved > 0.0) return fmt::format("ok but serves {:.1f}", 100.0 - losses.unserved);
     if (losses.coarse > 0.0)
         return fmt::format("ok but for floats ({:.1f} texels)", losses.worstApart);
     return "ok";

@@ -14,7 +14,8 @@ struct Losses {
     double clipped = 0.0;     ///< their caster is outside the depth range, which does not clamp
     double culled = 0.0;      ///< their caster is culled by the shadow camera
     double apart = 0.0; ///< the caster on their light ray falls too far beside them in the map
-    /// The same, but no farther than floats of this size are from one another: no setup's fault.
+    /// Outside or apart, but by no more than positions of this size are rounded by as floats: no
+    /// setup's fault.
     double coarse = 0.0;
     double mirrored = 0.0;   ///< the map shows their caster mirrored
     double unserved = 0.0;   ///< outside of what the map says that it serves; judged no further
