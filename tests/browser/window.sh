@@ -43,7 +43,7 @@ cmp headless.png window.png || fail "the window's picture is not the headless on
 
 xdotool key 1
 expect "^Uniform: "
-xdotool key 8
+xdotool key 9
 expect "^Ogre-Focused: "
 xdotool key 2
 expect "^XPSM: "
@@ -63,4 +63,4 @@ for _ in $(seq 100); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
 if kill -0 "$pid" 2>/dev/null; then fail "Esc did not end the browser"; fi
 wait "$pid" || fail "the browser ended with status $?"
 trap - EXIT
-echo "The window's picture equals the headless one; 1, 2, 4, W, F12 and Esc work."
+echo "The window's picture equals the headless one; 1, 2, 9, W, F12 and Esc work."
