@@ -56,8 +56,6 @@ say "Testing fit and scene with sanitizers"
 # OGRE's PNG writer frees with delete[] what malloc gave. Leaks of the libraries that tests load are
 # suppressed by the tests themselves (tests/headless/SanitizerOptions.cpp).
 export ASAN_OPTIONS=alloc_dealloc_mismatch=0 UBSAN_OPTIONS=print_stacktrace=1
-# Random cases are some six times as slow here; the first of those tested above have to do.
-export RC_PARAMS="seed=42 max_success=250"
 for label in fit scene; do
     run_tests build/sanitized --label-regex "^$label\$"
 done
