@@ -89,9 +89,8 @@ bool valid(const ShadowProblem& problem) {
     if (!isRigid(viewer.viewFromWorld) || !invertible(viewer.clipFromView)) return false;
     if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0)) return false;
     if (light.kind != LightKind::Directional) {
-        // Negated comparisons, so that a NaN fails them.
-        if (!(light.wsPosition.cwiseAbs().maxCoeff() <= GreatestExtent)) return false;
         if (!light.wsPosition.allFinite()) return false;
+        if (light.wsPosition.cwiseAbs().maxCoeff() > GreatestExtent) return false;
         if (!(light.nearDistance > 0.0) || !(light.nearDistance <= GreatestExtent)) return false;
         if (!(light.range > light.nearDistance)) return false;
         if (!(light.outerHalfAngle > 0.0) || !(light.outerHalfAngle < std::numbers::pi))

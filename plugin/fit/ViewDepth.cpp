@@ -1,13 +1,14 @@
 #include "fit/ViewDepth.h"
 
+#include "fit/Smoothstep.h"
+
 #include <algorithm>
 #include <limits>
 
 namespace Lixel {
 
 double fadeBySine(double sine, double complete) {
-    const double t = std::clamp(sine / complete, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
+    return smoothstep(sine / complete);
 }
 
 ViewDepth::ViewDepth(const WarpContext& context) {

@@ -1,5 +1,6 @@
 #include "fit/WarpSearch.h"
 
+#include "fit/Smoothstep.h"
 #include "fit/Warp.h"
 
 #include <Eigen/Geometry>
@@ -40,11 +41,6 @@ constexpr double LeastStep = 0.02;
 
 /// Evaluations that make a simplex and move it once.
 constexpr int LeastSimplex = 5;
-
-double smoothstep(double t) {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 /// What tells whether viewer, light and region are the same as before, however light space is
 /// turned.

@@ -1,5 +1,6 @@
 #include "fit/Xpsm.h"
 
+#include "fit/ViewDepth.h"
 #include "fit/Warp.h"
 #include "fit/WarpSearch.h"
 
@@ -11,14 +12,6 @@
 namespace Lixel {
 namespace {
 
-/// Sine of the angle between view and light below which the warp fades out. Gusev switches at 0.1
-/// (step 3); the fade is complete at twice that, so that it passes his threshold at half strength.
-constexpr double FadeSine = 0.2;
-
-/// Nearest depth, as a fraction of the farthest, that the strength is balanced with: a receiver
-/// that touches the eye must not pull all texels to itself.
-constexpr double LeastNearRatio = 1e-3;
-
 /// Evaluations of the guard's search. Golden section narrows the interval by 0.618 with each, to
 /// 2 % of it.
 constexpr int SearchSteps = 11;
@@ -26,11 +19,6 @@ constexpr int SearchSteps = 11;
 /// Samples that the guard judges by. With 64 the chosen warp is that of a thousand within a few
 /// percent of the error.
 constexpr std::size_t Samples = 64;
-
-double smoothstep(double t) {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 /** The warp between none and `warp` at which texels are expected to be smallest.
 
@@ -62,7 +50,7 @@ WarpChoice xpsmWarp(const WarpContext& context, const XpsmOptions& options) {
     const double sine = along.norm();
     if (!(sine > 0.0)) return {Vec2::Zero(), FitReason::LightAlongView};
     const Vec2 direction = along / sine;
-    const double fade = smoothstep(sine / FadeSine);
+    const double fade = fadeBySine(sine);
 
     // §3.2: at depth t in front of the viewer the denominator is affine in t, f0 + t f1; f1 / f0 =
     // coef is lengthP = coef / cos γ. Depths stand for the scale of the scene, and the warp is

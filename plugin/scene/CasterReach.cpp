@@ -1,6 +1,6 @@
 #include "scene/CasterReach.h"
 
-#include "fit/LightImage.h"
+#include "fit/LightVolume.h"
 
 #include <cmath>
 #include <limits>
@@ -11,28 +11,6 @@ namespace {
 /// Widening of the receivers' bounds, relative to how far they are from the viewer: it gives flat
 /// ones a volume, and keeps what merely touches the view.
 constexpr double BoundsSlack = 0x1p-30;
-
-/// Wider cones, in radians of half angle, are as good as none for culling.
-constexpr double WidestCone = 1.5;
-
-/// The space that a local light shines into, in world axes: in front of its near distance, within
-/// its range, inside a square pyramid around its cone.
-void addLightVolume(const ShadowLight& light, const LightImage& image, ConvexVolume& volume) {
-    const Vec3 axis = -image.lsFromWs().row(2).transpose();
-    const auto add = [&](const Vec3& normal, double distance) {
-        volume.add(normal, -normal.dot(image.wsEye()) - distance);
-    };
-    add(axis, light.nearDistance);
-    if (std::isfinite(light.range)) add(-axis, -light.range);
-    if (light.outerHalfAngle > WidestCone) return;
-    for (const Eigen::Index row : {0, 1}) {
-        const Vec3 side = image.lsFromWs().row(row).transpose();
-        for (const double sign : {1.0, -1.0})
-            add(std::sin(light.outerHalfAngle) * axis -
-                    std::cos(light.outerHalfAngle) * sign * side,
-                0.0);
-    }
-}
 
 } // namespace
 
@@ -49,7 +27,9 @@ bool CasterReach::set(const ShadowViewer& viewer, const ShadowLight& light, cons
     const LightImage image(light);
     const bool directional = image.directional();
     ConvexVolume lit = viewVolume(viewer);
-    if (!directional) addLightVolume(light, image, lit);
+    const ConvexVolume shone = lightVolume(light, image);
+    for (const Plane& plane : shone.planes())
+        lit.add(plane.normal, plane.offset);
     Box bounds = receivers;
     bounds.halfExtents.array() +=
         BoundsSlack * (bounds.centre.cwiseAbs() + bounds.halfExtents).maxCoeff();

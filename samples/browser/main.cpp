@@ -39,12 +39,7 @@ int run(const BrowserOptions& options) {
                            "server does not answer); --headless draws without one\n");
         return 1;
     }
-    Stage stage({.headless = options.headless,
-                 .width = options.width,
-                 .height = options.height,
-                 .title = "Lixel",
-                 .logFile = "",
-                 .sceneManagerType = ""});
+    Stage stage({.headless = options.headless, .width = options.width, .height = options.height});
     try {
         return show(stage, options);
     } catch (const Ogre::Exception& error) {

@@ -17,9 +17,9 @@ struct StageOptions {
     int height = 600;
     std::string title = "Lixel";
     /// OGRE's log file; empty for none.
-    std::string logFile;
+    std::string logFile{};
     /// Scene manager type; empty for OGRE's default one.
-    std::string sceneManagerType;
+    std::string sceneManagerType{};
 };
 
 /** OGRE as an application runs it, with one camera and one light, in a window or headless.

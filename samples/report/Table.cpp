@@ -93,12 +93,7 @@ void printRatios(const std::vector<TableCase>& cases, std::size_t baseline) {
 /// One scene on a stage of its own.
 void measureScene(const SampleScene& scene, const TableOptions& options,
                   std::vector<TableCase>& cases) {
-    Stage stage({.headless = true,
-                 .width = options.width,
-                 .height = options.height,
-                 .title = "Lixel",
-                 .logFile = "",
-                 .sceneManagerType = ""});
+    Stage stage({.headless = true, .width = options.width, .height = options.height});
     stage.show(scene);
     const double reach = static_cast<double>(scene.shadowDistance);
     const ShadowOracle oracle(collectTriangles(stage.sceneManager()));

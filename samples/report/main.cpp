@@ -27,12 +27,7 @@ struct Options {
 
 /// One scene at a time: each gets a stage of its own. @param name empty for the model file.
 std::vector<ComparedCase> compareScene(const std::string& name, const Options& options) {
-    Stage stage({.headless = true,
-                 .width = options.width,
-                 .height = options.height,
-                 .title = "Lixel",
-                 .logFile = "",
-                 .sceneManagerType = ""});
+    Stage stage({.headless = true, .width = options.width, .height = options.height});
     const SampleScene scene = name.empty() ? modelScene(options.modelFile) : *findSampleScene(name);
     stage.show(scene);
     return compareSetups(stage, scene, *findShadowSetup(options.setup),

@@ -70,24 +70,6 @@ std::vector<HardCase> hardCases() {
             {"OrthographicViewer", orthographicViewer}};
 }
 
-Vec4 homogeneousLight(const ShadowLight& light) {
-    Vec4 result;
-    if (light.kind == LightKind::Directional)
-        result << -light.wsDirection.normalized(), 0.0;
-    else
-        result << light.wsPosition, 1.0;
-    return result;
-}
-
-/// d(pixel or texel) along a world direction.
-Vec2 derivative(const Mat4& clipFromWorld, const Scene& scene, const Vec3& x, const Vec3& d) {
-    const Vec4 clip = clipOf(clipFromWorld, x);
-    const Vec4 step = clipFromWorld * Vec4(d.x(), d.y(), d.z(), 0.0);
-    const Vec2 ndc =
-        (step.head<2>() * clip.w() - clip.head<2>() * step.w()) / (clip.w() * clip.w());
-    return ndc.cwiseProduct(Vec2(scene.mapWidth, scene.mapHeight)) / 2.0;
-}
-
 bool serves(const ShadowFit& fit, const Vec3& ws) {
     for (std::size_t i = 0; i < fit.servedCount; ++i)
         if (fit.wsServed[i].dot(ws.homogeneous()) < 0.0) return false;
@@ -121,12 +103,13 @@ TEST_P(PlaneOptimal, APixelOfThePlaneIsATexel) {
         EXPECT_LT((texelOf(fit.clipFromWorld, scene, x) - pixel).norm(), 1e-6);
         EXPECT_LT((texelOf(fit.clipFromWorld, scene, point.wsOccluder) - pixel).norm(), 1e-6);
 
+        const Vec2 size(scene.mapWidth, scene.mapHeight);
         Eigen::Matrix2d texels;
         Eigen::Matrix2d pixels;
-        texels << derivative(fit.clipFromWorld, scene, x, Vec3::UnitX()),
-            derivative(fit.clipFromWorld, scene, x, Vec3::UnitZ());
-        pixels << derivative(viewClip, scene, x, Vec3::UnitX()),
-            derivative(viewClip, scene, x, Vec3::UnitZ());
+        texels << derivative(fit.clipFromWorld, size, x, Vec3::UnitX()),
+            derivative(fit.clipFromWorld, size, x, Vec3::UnitZ());
+        pixels << derivative(viewClip, size, x, Vec3::UnitX()),
+            derivative(viewClip, size, x, Vec3::UnitZ());
         const double m = 1.0 / (texels * pixels.inverse()).jacobiSvd().singularValues()[1];
         EXPECT_NEAR(m, 1.0, 1e-3);
         EXPECT_TRUE(serves(fit, x));

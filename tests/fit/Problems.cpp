@@ -364,6 +364,23 @@ Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws) {
     return clipFromWorld * ws.homogeneous();
 }
 
+Vec4 homogeneousLight(const ShadowLight& light) {
+    Vec4 result;
+    if (light.kind == LightKind::Directional)
+        result << -light.wsDirection.normalized(), 0.0;
+    else
+        result << light.wsPosition, 1.0;
+    return result;
+}
+
+Vec2 derivative(const Mat4& clipFromWorld, const Vec2& size, const Vec3& x, const Vec3& d) {
+    const Vec4 clip = clipOf(clipFromWorld, x);
+    const Vec4 step = clipFromWorld * Vec4(d.x(), d.y(), d.z(), 0.0);
+    const Vec2 ndc =
+        (step.head<2>() * clip.w() - clip.head<2>() * step.w()) / (clip.w() * clip.w());
+    return ndc.cwiseProduct(size) / 2.0;
+}
+
 Vec2 texelOf(const Mat4& clipFromWorld, const Scene& scene, const Vec3& ws) {
     const Vec4 clip = clipOf(clipFromWorld, ws);
     const Vec2 size(scene.mapWidth, scene.mapHeight);

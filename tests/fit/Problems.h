@@ -119,6 +119,12 @@ bool isLostInRounding(const Scene& scene, const FitState& state);
 /// Clip coordinates of a world point.
 Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws);
 
+/// The light as a homogeneous world point: its position, or the direction towards it.
+Vec4 homogeneousLight(const ShadowLight& light);
+
+/// d(pixel or texel) / d(world direction) at x, of a map or picture with `size` pixels.
+Vec2 derivative(const Mat4& clipFromWorld, const Vec2& size, const Vec3& x, const Vec3& d);
+
 /// Texel coordinates of a world point, w > 0 being assumed.
 Vec2 texelOf(const Mat4& clipFromWorld, const Scene& scene, const Vec3& ws);
 

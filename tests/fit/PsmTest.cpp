@@ -44,15 +44,6 @@ Scene lamp(const Vec3& position) {
     return scene;
 }
 
-Vec4 homogeneousLight(const ShadowLight& light) {
-    Vec4 result;
-    if (light.kind == LightKind::Directional)
-        result << -light.wsDirection.normalized(), 0.0;
-    else
-        result << light.wsPosition, 1.0;
-    return result;
-}
-
 /// A viewer slid back by hand: the same opening, clip planes where they were in the world.
 Mat4 slidBack(double slideBack, double nearest, double farthest) {
     return perspective(Fov, 1.0, nearest + slideBack, farthest + slideBack) *

@@ -30,15 +30,6 @@ constexpr double MostChange = 0.02;
 constexpr double LeastCosine = 0.05;
 const Vec2 ScreenSize(1280.0, 720.0);
 
-/// d(pixel or texel) / d(world direction) at x, of a map with `size` pixels.
-Vec2 derivative(const Mat4& clipFromWorld, const Vec2& size, const Vec3& x, const Vec3& d) {
-    const Vec4 clip = clipOf(clipFromWorld, x);
-    const Vec4 step = clipFromWorld * Vec4(d.x(), d.y(), d.z(), 0.0);
-    const Vec2 ndc =
-        (step.head<2>() * clip.w() - clip.head<2>() * step.w()) / (clip.w() * clip.w());
-    return ndc.cwiseProduct(size) / 2.0;
-}
-
 /// A point on a face of a receiver.
 struct Sample {
     Vec3 ws;

@@ -73,12 +73,7 @@ int run(const Options& options) {
     setenv("LP_NUM_THREADS", "0", 1);
     const auto setups = chosenSetups(options);
     const auto cases = chosenCases(options);
-    Samples::Stage stage({.headless = true,
-                          .width = 320,
-                          .height = 240,
-                          .title = "Lixel",
-                          .logFile = "",
-                          .sceneManagerType = ""});
+    Samples::Stage stage({.headless = true, .width = 320, .height = 240});
     const bool one = setups.size() == 1 && cases.size() == 1;
     int failures = 0;
     nlohmann::json all = nlohmann::json::array();

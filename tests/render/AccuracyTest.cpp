@@ -17,12 +17,7 @@ using namespace Samples;
 const char* const Model = "/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc";
 
 std::vector<ComparedCase> compare(const std::string& scene) {
-    Stage stage({.headless = true,
-                 .width = 400,
-                 .height = 300,
-                 .title = "Lixel",
-                 .logFile = "",
-                 .sceneManagerType = ""});
+    Stage stage({.headless = true, .width = 400, .height = 300});
     const SampleScene shown = scene.empty() ? modelScene(Model) : *findSampleScene(scene);
     stage.show(shown);
     return compareSetups(stage, shown, *findShadowSetup("XPSM"), *findShadowSetup("Uniform"), 4,

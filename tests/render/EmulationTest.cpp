@@ -146,12 +146,7 @@ class Emulation : public testing::TestWithParam<const char*> {};
 class BothWays {
 public:
     explicit BothWays(const SampleScene& scene)
-        : mStage({.headless = true,
-                  .width = Width,
-                  .height = Height,
-                  .title = "Lixel",
-                  .logFile = "",
-                  .sceneManagerType = ""}),
+        : mStage({.headless = true, .width = Width, .height = Height}),
           mReach(static_cast<double>(scene.shadowDistance)) {
         mStage.show(scene);
         mOracle.emplace(collectTriangles(mStage.sceneManager()));
