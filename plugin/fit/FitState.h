@@ -38,6 +38,8 @@ struct FitState {
     /// light from one frame to the next.
     std::optional<Vec3> wsMapAxis;
     std::optional<SearchMemory> search;
+    /// Radius of the sphere that a stable map was made for, in world units; 0 before.
+    double stableRadius = 0.0;
     /// How often the direction was given up for a smaller map.
     std::size_t orientationJumps = 0;
 };

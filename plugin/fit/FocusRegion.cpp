@@ -2,6 +2,7 @@
 
 #include "fit/BoxQuery.h"
 #include "fit/LightVolume.h"
+#include "fit/ShadowParts.h"
 
 #include <algorithm>
 #include <bit>
@@ -55,6 +56,9 @@ public:
         const ConvexVolume view = viewVolume(problem.viewer);
         for (const Plane& plane : view.planes())
             mSeen.add(plane.normal, plane.offset);
+        if (problem.part != nullptr)
+            for (const Plane& plane : problem.part->bounds())
+                mSeen.add(plane.normal, plane.offset);
         scratch.receivers.reset(image);
     }
 

@@ -16,6 +16,8 @@ const char* toString(FitReason reason) noexcept {
         return "a body without bounds";
     case FitReason::PlaneCannotServe:
         return "the plane is edge-on or cannot serve all";
+    case FitReason::ViewWithoutEnd:
+        return "a stable map needs a view that ends";
     case FitReason::NoReceivers:
         return "no receiver in view";
     case FitReason::NoCasters:
@@ -26,8 +28,8 @@ const char* toString(FitReason reason) noexcept {
         return "a receiver without bounds and a view without end";
     case FitReason::InvalidInput:
         return "invalid input";
-    case FitReason::UnsupportedLight:
-        return "this kind of light has no single map";
+    case FitReason::TooFewMaps:
+        return "the light shines too wide for the maps that it has";
     }
     return "unknown";
 }

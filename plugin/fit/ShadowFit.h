@@ -20,6 +20,9 @@ enum class FitReason {
     /// exact map does not serve all that is seen, and wsServed says what it does; or it serves
     /// nothing (the plane is edge-on to the viewer too, or turned away), and the map is uniform.
     PlaneCannotServe,
+    /// A stable map was asked for a view that has neither a far plane nor a shadow distance: the
+    /// map is focused.
+    ViewWithoutEnd,
     // From here on there is no map to draw.
     /// No receiver is in view.
     NoReceivers,
@@ -31,8 +34,8 @@ enum class FitReason {
     Unbounded,
     /// A NaN, an infinity, a zero direction or a singular matrix among the input.
     InvalidInput,
-    /// A kind of light that the technique has no map for.
-    UnsupportedLight,
+    /// A point light or a wide spot, which takes more maps than it has.
+    TooFewMaps,
 };
 
 /// A short English name for logs and statistics, such as "warp clamped".

@@ -17,7 +17,7 @@ struct ShadowLight {
     Vec3 wsDirection = Vec3(0.0, -1.0, 0.0);
     /// Spot and point lights.
     Vec3 wsPosition = Vec3::Zero();
-    /// Half of the spot's outer cone angle in radians, in (0, π/2).
+    /// Half of the spot's outer cone angle in radians, in (0, π); one map serves up to 89.5°.
     double outerHalfAngle = 0.7;
     /// Local lights: nothing nearer than this casts a shadow, in world units; > 0.
     double nearDistance = 0.1;
@@ -45,6 +45,8 @@ struct VisiblePoint {
     Vec3 wsNormal = Vec3::UnitY();
 };
 
+struct ShadowPart;
+
 /** One light, one viewer and this frame's bodies: everything that a fit depends on.
 
     All positions are in world axes relative to one origin, by convention the viewer's position, in
@@ -60,6 +62,9 @@ struct ShadowProblem {
     /** What the viewer sees of the receivers, if it is known better than from all these: points
         spread evenly over the viewer's picture, such as a depth buffer read back. */
     std::span<const VisiblePoint> visiblePoints{};
+    /// Which receivers the map is for, where the light has several maps; null for all of them.
+    /// @see ShadowParts.h
+    const ShadowPart* part = nullptr;
     /// Size of the shadow map in texels.
     int mapWidth = 1024;
     int mapHeight = 1024;

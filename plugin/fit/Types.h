@@ -21,7 +21,8 @@ using Vec4 = Eigen::Vector4d;
 using Mat3 = Eigen::Matrix3d;
 using Mat4 = Eigen::Matrix4d;
 
-/// Beyond it a float's square overflows, and matrices with it: a box has no bounds, a light no place.
+/// Beyond it a float's square overflows, and matrices with it: a box has no bounds, a light no
+/// place.
 inline constexpr double GreatestExtent = 1e18;
 
 /// An axis-aligned box as its centre and half extents; all half extents are >= 0.

@@ -1,6 +1,7 @@
 #include "fit/ViewSamples.h"
 
 #include "fit/LowDiscrepancy.h"
+#include "fit/ShadowParts.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -173,6 +174,9 @@ bool matters(const ShadowProblem& problem, const LightImage& image, const FocusR
     if (viewer.shadowDistance > 0.0 &&
         -viewer.viewFromWorld.row(2).dot(point.ws.homogeneous()) > viewer.shadowDistance)
         return false;
+    if (problem.part != nullptr)
+        for (const Plane& plane : problem.part->bounds())
+            if (plane.distance(point.ws) < 0.0) return false;
     const Vec3 ls = image.lsFromPoint(point.ws);
     const Vec3 lsNormal = image.lsFromDirection(point.wsNormal);
     if (image.directional()) {
@@ -191,7 +195,8 @@ bool matters(const ShadowProblem& problem, const LightImage& image, const FocusR
     return true;
 }
 
-ViewSample sampleAt(const Mat4& clipFromWorld, const LightImage& image, const VisiblePoint& point) {
+ViewSample sampleAt(const ShadowViewer& viewer, const Mat4& clipFromWorld, const LightImage& image,
+                    const VisiblePoint& point) {
     // The tangent's motion for a unit step of each device coordinate u = x / w:
     // du = (row x - u row w) . dx / w, with n . dx = 0.
     const Vec4 clip = clipFromWorld * point.ws.homogeneous();
@@ -204,6 +209,7 @@ ViewSample sampleAt(const Mat4& clipFromWorld, const LightImage& image, const Vi
     const Vec3 ls = image.lsFromPoint(point.ws);
     ViewSample sample;
     sample.liPoint = image.project(ls);
+    sample.vsDepth = -viewer.viewFromWorld.row(2).dot(point.ws.homogeneous());
     Eigen::Matrix<double, 2, 3> liFromLs = Eigen::Matrix<double, 2, 3>::Identity();
     if (!image.directional()) {
         // q = xy / -z, so dq = (dxy + q dz) / -z.
@@ -236,7 +242,8 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Foc
     samples.clear();
     const std::size_t kept = std::min(most, points.size());
     for (std::size_t i = 0; i < kept; ++i) {
-        const ViewSample sample = sampleAt(clipFromWorld, image, points[i * points.size() / kept]);
+        const ViewSample sample =
+            sampleAt(problem.viewer, clipFromWorld, image, points[i * points.size() / kept]);
         if (sample.liFromNdc.allFinite() && sample.liFromNdc.determinant() != 0.0)
             samples.push_back(sample);
     }

@@ -8,6 +8,8 @@ namespace Lixel {
 struct ViewSample {
     /// Image of the visible point.
     Vec2 liPoint = Vec2::Zero();
+    /// Its depth in front of the viewer, in world units.
+    double vsDepth = 0.0;
     /// d(light image) / d(viewer's normalised device coordinates), along the surface's tangent
     /// plane.
     Eigen::Matrix2d liFromNdc = Eigen::Matrix2d::Identity();

@@ -265,7 +265,8 @@ TEST_P(Contract, OneRayOfASmallFarReceiverIsOneTexelInFloat) {
 
 TEST_P(Contract, TheMapIsTight) {
     forAnyScene([](const Scene& scene, const ShadowFit& fit, const FitState& state, Dice&) {
-        if (!fit.hasMap()) return false;
+        // A map that the technique gives whole is not fitted to the region.
+        if (!fit.hasMap() || fit.servedCount > 0) return false;
         const Polygon2& hull = state.region.liHull;
         Vec2 least = Vec2::Constant(std::numeric_limits<double>::infinity());
         Vec2 greatest = -least;

@@ -150,8 +150,8 @@ RC_GTEST_PROP(Optimal, IsNeverExpectedToBeWorseThanUniform, ()) {
         if (search.usable()) cost = search(search.spread(fit.liWarp));
         return Vec2(0.0, 0.0);
     });
-    RC_LOG() << "expected extent " << cost << " of a uniform map's, warp "
-             << fit.liWarp.transpose() << ", " << fit.reason << "\n";
+    RC_LOG() << "expected extent " << cost << " of a uniform map's, warp " << fit.liWarp.transpose()
+             << ", " << fit.reason << "\n";
     RC_ASSERT(cost <= 1.0 + 1e-9);
 }
 

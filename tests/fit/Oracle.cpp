@@ -61,6 +61,8 @@ bool sees(const ShadowViewer& viewer, const Vec3& ws) {
 bool shinesOn(const ShadowLight& light, const Vec3& ws) {
     if (light.kind == LightKind::Directional) return true;
     const Vec3 ray = ws - light.wsPosition;
+    if (light.kind == LightKind::Point)
+        return ray.norm() >= light.nearDistance && ray.norm() <= light.range;
     const double depth = ray.dot(light.wsDirection.normalized());
     return depth >= light.nearDistance && ray.norm() <= light.range &&
            depth >= std::cos(light.outerHalfAngle) * ray.norm();
@@ -75,7 +77,9 @@ std::optional<Vec3> occluder(const Scene& scene, const Vec3& ws) {
     if (!shinesOn(scene.light, ws)) return std::nullopt;
     const Vec3 direction = towardsLight(scene.light, ws);
     double last = Infinity;
-    if (scene.light.kind != LightKind::Directional) {
+    if (scene.light.kind == LightKind::Point) {
+        last = (ws - scene.light.wsPosition).norm() - scene.light.nearDistance;
+    } else if (scene.light.kind == LightKind::Spot) {
         // Up to the near distance, which is measured along the axis.
         const Vec3 axis = scene.light.wsDirection.normalized();
         const double depth = (ws - scene.light.wsPosition).dot(axis);

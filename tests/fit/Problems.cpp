@@ -319,6 +319,10 @@ const std::vector<Technique>& techniques() {
     static const std::vector<Technique> all = {
         {"Uniform",
          [](const ShadowProblem& problem, FitState& state) { return fitUniform(problem, state); }},
+        {"StableUniform",
+         [](const ShadowProblem& problem, FitState& state) {
+             return fitUniform(problem, {.stable = true}, state);
+         }},
         {"Xpsm", [](const ShadowProblem& problem,
                     FitState& state) { return fitXpsm(problem, XpsmOptions{}, state); }},
         {"LiteralXpsm",
@@ -396,7 +400,9 @@ std::ostream& operator<<(std::ostream& out, const Scene& scene) {
     out << std::setprecision(17) << "viewFromWorld\n"
         << scene.viewer.viewFromWorld << "\nclipFromView\n"
         << scene.viewer.clipFromView << "\nshadowDistance " << scene.viewer.shadowDistance
-        << (light.kind == LightKind::Directional ? "\ndirectional " : "\nspot ")
+        << (light.kind == LightKind::Directional ? "\ndirectional "
+            : light.kind == LightKind::Spot      ? "\nspot "
+                                                 : "\npoint ")
         << light.wsDirection.transpose();
     if (light.kind != LightKind::Directional)
         out << " at " << light.wsPosition.transpose() << ", half angle " << light.outerHalfAngle

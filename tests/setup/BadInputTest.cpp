@@ -176,7 +176,7 @@ TEST_P(BadInput, PointLightHasNoMapAndSaysSo) {
     scene.stage.light().getParentSceneNode()->setPosition(Ogre::Vector3(10, 10, 0));
     for (int i = 0; i < 3; ++i)
         scene.stage.drawFrame();
-    EXPECT_EQ(last.fit.reason, FitReason::UnsupportedLight);
+    EXPECT_EQ(last.fit.reason, FitReason::TooFewMaps);
     EXPECT_EQ(log.count("no shadow map for light 'Light'"), 1U);
     EXPECT_GE(scene.visibilityAt(InShadow), 128) << "without a map everything is lit";
 }

@@ -1,0 +1,89 @@
+#include "fit/CascadeSplits.h"
+
+#include "fit/Fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Lixel {
+namespace {
+
+/// Most that a settled depth changes in one frame, as the logarithm of a ratio, and from which
+/// change on it is not settled at all.
+constexpr double GreatestStep = 0.01;
+constexpr double CutStep = 0.693; // ln 2
+
+/// Least ratio of nearest and farthest: an eye that touches a receiver wants no slice for it.
+constexpr double LeastNearRatio = 1e-4;
+
+constexpr std::size_t Samples = 256;
+
+void settle(double found, double& depth) {
+    if (!(depth > 0.0)) depth = found;
+    const double step = std::log(found / depth);
+    depth = std::abs(step) > CutStep
+                ? found
+                : depth * std::exp(std::clamp(step, -GreatestStep, GreatestStep));
+}
+
+/// Depths of what is seen; false where nothing is.
+bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
+    FitState& state = memory.state;
+    // The rule sees the focus region of all slices together; the fit that it is for is not used.
+    bool found = false;
+    const auto look = [&](const WarpContext& context) {
+        sampleView(context.problem, context.image, context.region, Samples, state.sampling,
+                   state.samples);
+        double nearest = context.region.vsReceiverNear;
+        double farthest = context.region.vsReceiverFar;
+        if (!state.samples.empty()) {
+            nearest = farthest;
+            farthest = 0.0;
+            for (const ViewSample& sample : state.samples) {
+                nearest = std::min(nearest, sample.vsDepth);
+                farthest = std::max(farthest, sample.vsDepth);
+            }
+        }
+        nearest = std::max(nearest, LeastNearRatio * farthest);
+        found = nearest > 0.0 && std::isfinite(farthest);
+        if (found) {
+            settle(nearest, memory.nearest);
+            settle(farthest, memory.farthest);
+        }
+        return WarpChoice{};
+    };
+    fitWithRule(problem, state, look);
+    return found;
+}
+
+/// Depths of the viewer's own clip planes and shadow distance; false for a view without end.
+bool planDepths(const ShadowProblem& problem, CascadeMemory& memory) {
+    ShadowViewer viewer = problem.viewer;
+    viewer.viewFromWorld = Mat4::Identity();
+    Box box;
+    if (!viewer.clipFromView.allFinite() || !viewBounds(viewer, box)) return false;
+    memory.farthest = -(box.centre.z() - box.halfExtents.z());
+    memory.nearest =
+        std::max(-(box.centre.z() + box.halfExtents.z()), LeastNearRatio * memory.farthest);
+    return memory.nearest > 0.0;
+}
+
+} // namespace
+
+void cascadeSplits(const ShadowProblem& problem, int count, const CascadeOptions& options,
+                   CascadeMemory& memory, std::vector<double>& vsSplits) {
+    vsSplits.clear();
+    if (count < 2) return;
+    if (options.followReceivers ? !findDepths(problem, memory) : !planDepths(problem, memory))
+        return;
+    const double ratio = memory.farthest / memory.nearest;
+    const double uniformity = std::clamp(options.uniformity, 0.0, 1.0);
+    for (int i = 1; i < count; ++i) {
+        const double part = static_cast<double>(i) / count;
+        const double logarithmic = memory.nearest * std::pow(ratio, part);
+        const double uniform = memory.nearest + (memory.farthest - memory.nearest) * part;
+        vsSplits.push_back(logarithmic + uniformity * (uniform - logarithmic));
+    }
+}
+
+} // namespace Lixel
