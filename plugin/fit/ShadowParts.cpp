@@ -112,6 +112,7 @@ ShadowParts sliceView(const ShadowViewer& viewer, const ShadowLight& light,
     Vec4 row = Vec4::Zero();
     for (const double split : vsSplits) {
         // Steeper by one with each slice: the last whose split lies before the point is greatest.
+        parts.parts[parts.count - 1].vsEnd = split;
         row += (depth - Vec4(0.0, 0.0, 0.0, split)) / split;
         add(parts, light, row);
     }

@@ -32,6 +32,9 @@ struct ShadowPart {
     /// The half spaces in which that is greatest.
     std::array<Plane, 7> wsBounds{};
     std::size_t boundCount = 0;
+    /// Depth in front of the viewer at which a slice ends, in world units; infinite for the last
+    /// one, and for parts of another kind.
+    double vsEnd = std::numeric_limits<double>::infinity();
     /// The plane (n, d) of the viewer's volume through which the part's light rays leave it; 0 for
     /// parts of another kind.
     Vec4 wsExit = Vec4::Zero();

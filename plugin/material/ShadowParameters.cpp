@@ -7,6 +7,9 @@
 #include <OgreLight.h>
 #include <OgreSceneManager.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Lixel {
 namespace {
 
@@ -17,15 +20,23 @@ const char* const SharedParameters = "Lixel/ModulativeReceiver";
 /// 2^-24, and over half a texel to 2^-20. Twice that.
 constexpr double RoundingBias = 0x1p-19;
 
-/// What a receiver needs to know.
+/// What a receiver needs to know of one map.
 struct ReceiverParameters {
-    Ogre::Vector4 rowU, rowV, rowW, rowDepth, sizeBias;
+    Ogre::Vector4 rowU, rowV, rowW, rowDepth, sizeBias, rowShare;
 };
+
+/// Beyond any depth, and a float.
+constexpr Ogre::Real Endless = Ogre::Real(1e30);
 
 /// Parameters under which everything is lit: w is -1 everywhere.
 ReceiverParameters lit() {
     const Ogre::Vector4 zero(0, 0, 0, 0);
-    return {zero, zero, Ogre::Vector4(0, 0, 0, -1), zero, Ogre::Vector4(1, 1, 0, 0)};
+    return {zero,
+            zero,
+            Ogre::Vector4(0, 0, 0, -1),
+            zero,
+            Ogre::Vector4(1, 1, 0, 0),
+            Ogre::Vector4(0, 0, 0, -Endless)};
 }
 
 Ogre::Vector4 toOgreRow(const Eigen::RowVector4d& row) {
@@ -34,7 +45,6 @@ Ogre::Vector4 toOgreRow(const Eigen::RowVector4d& row) {
 }
 
 ReceiverParameters receiverParameters(const ShadowMap& map) {
-    if (!map.fit.hasMap()) return lit();
     // Programs see world positions relative to the viewer with camera-relative rendering, else
     // absolute ones; the fit's are relative to wsOrigin. Rounded to float only here.
     const Vec3 wsBase = map.sceneManager.getCameraRelativeRendering()
@@ -42,26 +52,49 @@ ReceiverParameters receiverParameters(const ShadowMap& map) {
                             : Vec3(Vec3::Zero());
     Mat4 originFromBase = Mat4::Identity();
     originFromBase.topRightCorner<3, 1>() = wsBase - map.wsOrigin;
+    const Ogre::Vector4 share = toOgreRow(map.part.wsRow.transpose() * originFromBase);
+    if (!map.fit.hasMap()) {
+        ReceiverParameters none = lit();
+        none.rowShare = share;
+        return none;
+    }
     const Mat4 clip = map.fit.clipFromWorld * originFromBase;
 
     const Eigen::RowVector4d w = clip.row(3);
     Eigen::RowVector4d depth = map.fit.depthScale * clip.row(2);
     depth[3] += map.fit.depthOffset;
     // OGRE's render textures have v downwards on every render system.
-    return {toOgreRow(0.5 * (w + clip.row(0))), toOgreRow(0.5 * (w - clip.row(1))), toOgreRow(w),
+    return {toOgreRow(0.5 * (w + clip.row(0))),
+            toOgreRow(0.5 * (w - clip.row(1))),
+            toOgreRow(w),
             toOgreRow(depth),
             Ogre::Vector4(
                 static_cast<Ogre::Real>(map.width), static_cast<Ogre::Real>(map.height),
                 static_cast<Ogre::Real>(map.depthBias * map.fit.depthPerWorldUnit + RoundingBias),
-                static_cast<Ogre::Real>(map.fit.depthPerWorldUnit))};
+                static_cast<Ogre::Real>(map.fit.depthPerWorldUnit)),
+            share};
 }
 
-void bind(Ogre::Light& light, const ReceiverParameters& p) {
-    light.setCustomParameter(LP_MAP_ROW_U, p.rowU);
-    light.setCustomParameter(LP_MAP_ROW_V, p.rowV);
-    light.setCustomParameter(LP_MAP_ROW_W, p.rowW);
-    light.setCustomParameter(LP_MAP_ROW_DEPTH, p.rowDepth);
-    light.setCustomParameter(LP_MAP_SIZE_BIAS, p.sizeBias);
+void bind(Ogre::Light& light, std::size_t map, const ReceiverParameters& p) {
+    const auto set = [&](LightParameter parameter, const Ogre::Vector4& value) {
+        light.setCustomParameter(static_cast<Ogre::uint16>(parameter + LP_MAP_STEP * map), value);
+    };
+    set(LP_MAP_ROW_U, p.rowU);
+    set(LP_MAP_ROW_V, p.rowV);
+    set(LP_MAP_ROW_W, p.rowW);
+    set(LP_MAP_ROW_DEPTH, p.rowDepth);
+    set(LP_MAP_SIZE_BIAS, p.sizeBias);
+    set(LP_MAP_ROW_SHARE, p.rowShare);
+}
+
+/// Where the map's slice ends, beside those of the maps before it.
+void bindSplit(const ShadowMap& map) {
+    if (map.iteration >= 4) return;
+    Ogre::Vector4 depths(Endless, Endless, Endless, Endless);
+    if (map.iteration > 0) depths = map.light.getCustomParameter(LP_SPLIT_DEPTHS);
+    if (std::isfinite(map.part.vsEnd))
+        depths[map.iteration] = static_cast<Ogre::Real>(map.part.vsEnd);
+    map.light.setCustomParameter(LP_SPLIT_DEPTHS, depths);
 }
 
 } // namespace
@@ -77,8 +110,13 @@ public:
         if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
         mMaps.clear();
         for (const auto& [name, object] :
-             source->getMovableObjects(Ogre::LightFactory::FACTORY_TYPE_NAME))
-            bind(static_cast<Ogre::Light&>(*object), lit());
+             source->getMovableObjects(Ogre::LightFactory::FACTORY_TYPE_NAME)) {
+            auto& light = static_cast<Ogre::Light&>(*object);
+            for (std::size_t map = 0; map < mOwner.mMapCount; ++map)
+                bind(light, map, lit());
+            light.setCustomParameter(LP_SPLIT_DEPTHS,
+                                     Ogre::Vector4(Endless, Endless, Endless, Endless));
+        }
     }
 
     void shadowTextureReceiverPreViewProj(Ogre::Light* light, Ogre::Frustum*) override {
@@ -120,7 +158,9 @@ void ShadowParameters::shadowMapFitted(const ShadowMap& map) {
         map.sceneManager.addListener(listener.get());
     }
     const ReceiverParameters parameters = receiverParameters(map);
-    bind(map.light, parameters);
+    bind(map.light, map.iteration, parameters);
+    mMapCount = std::max(mMapCount, map.iteration + 1);
+    bindSplit(map);
     map.light.setCustomParameter(LP_CASTER_DEPTH,
                                  Ogre::Vector4(static_cast<Ogre::Real>(map.fit.depthScale),
                                                static_cast<Ogre::Real>(map.fit.depthOffset), 0, 0));

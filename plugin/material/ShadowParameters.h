@@ -27,6 +27,16 @@ enum LightParameter : unsigned short {
     LP_MAP_SIZE_BIAS = 104,
     /// Stored depth = x * clip z + y, for casters.
     LP_CASTER_DEPTH = 105,
+    /// Row whose product with a world position is greatest for the map that serves the position, of
+    /// all maps of the light.
+    LP_MAP_ROW_SHARE = 106,
+    /// Depths in front of the viewer at which the light's first four slices end, in world units;
+    /// the
+    /// last slice's is 1e30.
+    LP_SPLIT_DEPTHS = 107,
+    /// The light's maps after the first have the numbers LP_MAP_ROW_U to LP_MAP_SIZE_BIAS and
+    /// LP_MAP_ROW_SHARE plus 10 times the map's index.
+    LP_MAP_STEP = 10,
 };
 
 /** Binds each shadow map to the materials that use it, by itself.
@@ -42,6 +52,8 @@ public:
     void shadowMapFitted(const ShadowMap& map) override;
 
 private:
+    /// As many maps as any light has had: lights that have fewer need values for all of them.
+    std::size_t mMapCount = 1;
     class SceneListener;
     std::map<Ogre::SceneManager*, std::unique_ptr<SceneListener>> mListeners;
 };

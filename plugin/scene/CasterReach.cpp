@@ -1,6 +1,7 @@
 #include "scene/CasterReach.h"
 
 #include "fit/LightVolume.h"
+#include "fit/ShadowParts.h"
 
 #include <cmath>
 #include <limits>
@@ -12,30 +13,56 @@ namespace {
 /// ones a volume, and keeps what merely touches the view.
 constexpr double BoundsSlack = 0x1p-30;
 
+Box widened(const Box& receivers) {
+    Box bounds = receivers;
+    bounds.halfExtents.array() +=
+        BoundsSlack * (bounds.centre.cwiseAbs() + bounds.halfExtents).maxCoeff();
+    return bounds;
+}
+
 } // namespace
 
 bool CasterReach::isUsable(const ShadowLight& light) {
     if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0)) return false;
     if (light.kind == LightKind::Directional) return true;
-    return light.kind == LightKind::Spot && light.wsPosition.allFinite() &&
-           light.nearDistance > 0.0 && std::isfinite(light.nearDistance) &&
-           light.range > light.nearDistance && light.outerHalfAngle > 0.0;
+    return light.wsPosition.allFinite() && light.nearDistance > 0.0 &&
+           std::isfinite(light.nearDistance) && light.range > light.nearDistance &&
+           (light.kind == LightKind::Point || light.outerHalfAngle > 0.0);
+}
+
+bool CasterReach::setBox(const ConvexVolume& seen, const Box& bounds, const ShadowLight& light,
+                         const Vec3& wsOrigin) {
+    mVolume = CullVolume();
+    ConvexVolume lit = seen;
+    if (std::isfinite(light.range))
+        for (const int axis : {0, 1, 2})
+            for (const double sign : {1.0, -1.0})
+                lit.add(-sign * Vec3::Unit(axis), sign * light.wsPosition[axis] + light.range);
+    mWsPoints.clear();
+    clipBox(bounds, lit, mClip, mWsPoints);
+    if (mWsPoints.empty()) return false;
+    mWsPoints.push_back(light.wsPosition);
+    for (const int axis : {0, 1, 2})
+        for (const double sign : {1.0, -1.0}) {
+            double farthest = -std::numeric_limits<double>::infinity();
+            for (const Vec3& ws : mWsPoints)
+                farthest = std::max(farthest, sign * ws[axis]);
+            mVolume.add(-sign * Vec3::Unit(axis), farthest, wsOrigin);
+        }
+    return true;
 }
 
 bool CasterReach::set(const ShadowViewer& viewer, const ShadowLight& light, const Box& receivers,
                       const Vec3& wsOrigin) {
+    ConvexVolume lit = viewVolume(viewer);
+    if (needsParts(light)) return setBox(lit, widened(receivers), light, wsOrigin);
     const LightImage image(light);
     const bool directional = image.directional();
-    ConvexVolume lit = viewVolume(viewer);
     const ConvexVolume shone = lightVolume(light, image);
     for (const Plane& plane : shone.planes())
         lit.add(plane.normal, plane.offset);
-    Box bounds = receivers;
-    bounds.halfExtents.array() +=
-        BoundsSlack * (bounds.centre.cwiseAbs() + bounds.halfExtents).maxCoeff();
-
     mWsPoints.clear();
-    clipBox(bounds, lit, mClip, mWsPoints);
+    clipBox(widened(receivers), lit, mClip, mWsPoints);
     mPoints.clear();
     double lsFar = -std::numeric_limits<double>::infinity();
     for (const Vec3& ws : mWsPoints) {

@@ -8,9 +8,11 @@ namespace Lixel {
 
 /** From where a caster can shadow what is seen, before anything is known of the casters.
 
-    All light rays that meet a point in view within the receivers' bounds, from the light (or from
-    infinity) to the farthest such point. CasterVolume is the same around a fit's focus region; this
-    one is larger, and decides which casters that fit is told of.
+    For a light that shines too wide for one map, a box around it and all points in view within the
+    receivers' bounds and its range. For any other, all light rays that meet a point in view within
+   the receivers' bounds, from the light (or from infinity) to the farthest such point. CasterVolume
+   is the same around a fit's focus region; this one is larger, and decides which casters that fit
+   is told of.
 */
 class CasterReach {
 public:
@@ -24,10 +26,13 @@ public:
 
     const CullVolume& volume() const { return mVolume; }
 
-    /// Whether a light has a single image, and its numbers mean something.
+    /// Whether a light's numbers mean something.
     static bool isUsable(const ShadowLight& light);
 
 private:
+    bool setBox(const ConvexVolume& seen, const Box& bounds, const ShadowLight& light,
+                const Vec3& wsOrigin);
+
     CullVolume mVolume;
     // Scratch memory.
     ClipScratch mClip;

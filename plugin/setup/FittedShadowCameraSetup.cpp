@@ -17,10 +17,11 @@
 #include <OgreSceneNode.h>
 #include <OgreViewport.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <utility>
 
 namespace Lixel {
 namespace {
@@ -31,16 +32,6 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) {
     return std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
 }
-
-/// What is remembered of one light, viewer and map.
-struct MapMemory {
-    FitState state;
-    CasterSearch casters;
-    CasterVolume volume;
-    FitReason lastReason = FitReason::None;
-    bool warnedUnbounded = false;
-    unsigned long lastFrame = 0;
-};
 
 /// Memories unused for this many frames are dropped: their light or camera may be gone.
 constexpr unsigned long ForgetAfterFrames = 600;
@@ -66,6 +57,28 @@ ShadowLight describe(const Ogre::Light& light, const Ogre::Camera& viewer, const
     return result;
 }
 
+void logWarning(const Ogre::String& message) {
+    Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
+}
+
+/// A light that happens to shadow nothing is no news; input that cannot be drawn is.
+void logReason(const Ogre::Light& light, FitReason reason) {
+    if (reason < FitReason::Unbounded) return;
+    Ogre::String message = "no shadow map for light '" + light.getName() + "': " + toString(reason);
+    if (reason == FitReason::TooFewMaps)
+        message +=
+            "; six are enough for any light (SceneManager::setShadowTextureCountPerLightType, "
+            "an integrated shadow technique, and a material that reads as many)";
+    logWarning(message);
+}
+
+/// What serves no point at all.
+const ShadowPart Nowhere = [] {
+    ShadowPart part;
+    part.wsRow = Vec4(0.0, 0.0, 0.0, -1e30);
+    return part;
+}();
+
 /// Puts the fit's matrices into the shadow camera.
 void place(Ogre::Camera& camera, const ShadowFit& fit, const Vec3& wsOrigin) {
     // With camera-relative rendering OGRE subtracts the camera's position and drops the view
@@ -84,20 +97,41 @@ void place(Ogre::Camera& camera, const ShadowFit& fit, const Vec3& wsOrigin) {
 
 } // namespace
 
+/// What is remembered of one light and viewer.
+struct FittedShadowCameraSetup::LightMemory {
+    DivisionMemory division;
+    CasterSearch search;
+    /// This preparation's, from its first map on.
+    ShadowParts parts;
+    const BoxSet* casters = nullptr;
+    double casterMicroseconds = 0.0;
+    /// The first part that no map was asked for yet.
+    std::size_t nextPart = 0;
+    /// Of each part.
+    std::array<FitState, ShadowParts::Capacity> states;
+    /// Of each map.
+    std::array<CasterVolume, ShadowParts::Capacity> volumes;
+    std::array<FitReason, ShadowParts::Capacity> lastReasons{};
+    bool warnedUnbounded = false;
+    bool warnedMaps = false;
+    bool warnedParts = false;
+    unsigned long lastFrame = 0;
+};
+
 struct FittedShadowCameraSetup::Memory {
-    using Key = std::tuple<const Ogre::Light*, const Ogre::Camera*, std::size_t>;
-    std::map<Key, std::unique_ptr<MapMemory>> maps;
+    using Key = std::pair<const Ogre::Light*, const Ogre::Camera*>;
+    std::map<Key, std::unique_ptr<LightMemory>> lights;
     unsigned long lastSweep = 0;
 
-    MapMemory& of(const Key& key, unsigned long frame) {
+    LightMemory& of(const Key& key, unsigned long frame) {
         if (frame - lastSweep > ForgetAfterFrames) {
-            std::erase_if(maps, [&](const auto& entry) {
+            std::erase_if(lights, [&](const auto& entry) {
                 return frame - entry.second->lastFrame > ForgetAfterFrames;
             });
             lastSweep = frame;
         }
-        std::unique_ptr<MapMemory>& memory = maps[key];
-        if (!memory) memory = std::make_unique<MapMemory>();
+        std::unique_ptr<LightMemory>& memory = lights[key];
+        if (!memory) memory = std::make_unique<LightMemory>();
         memory->lastFrame = frame;
         return *memory;
     }
@@ -122,6 +156,61 @@ void FittedShadowCameraSetup::setDepthBias(Ogre::Real worldUnits) {
     mDepthBias = worldUnits;
 }
 
+/// How many maps the light has. OGRE draws more than one right only under integrated techniques.
+std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
+                                            const Ogre::SceneManager& sceneManager,
+                                            LightMemory& memory) {
+    const std::size_t textures = sceneManager.getShadowTextureCountPerLightType(light.getType());
+    const bool tooMany = textures > 1 && !sceneManager.isShadowTechniqueIntegrated();
+    if (tooMany && !memory.warnedMaps)
+        Ogre::LogManager::getSingleton().logError(
+            "Lixel: light '" + light.getName() + "' has " + std::to_string(textures) +
+            " shadow textures, and OGRE uses more than one of a light only under an integrated "
+            "shadow technique, such as SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED; it gets one map");
+    memory.warnedMaps = tooMany;
+    return tooMany ? 1 : std::clamp<std::size_t>(textures, 1, ShadowParts::Capacity);
+}
+
+ShadowParts FittedShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
+                                            DivisionMemory& memory) const noexcept {
+    if (!needsParts(problem.light)) return wholeLight(problem.light);
+    constexpr std::size_t CubeFaces = 6;
+    if (maps < CubeFaces) {
+        const ShadowParts aimed = aimedSpot(problem, memory.aim);
+        if (aimed.count > 0 || maps == 1) return aimed;
+    }
+    return cubeAround(problem.light);
+}
+
+ShadowFit FittedShadowCameraSetup::fitNext(const ShadowProblem& problem, const Ogre::Light& light,
+                                           std::size_t mapsLeft, LightMemory& memory,
+                                           const ShadowPart*& part) const {
+    ShadowFit result;
+    result.reason = memory.parts.count == 0 ? FitReason::TooFewMaps : FitReason::NothingShadowed;
+    part = &Nowhere;
+    const auto fitPart = [&](std::size_t i) {
+        return fit(problemOf(problem, memory.parts.parts[i]), memory.states[i]);
+    };
+    while (memory.nextPart < memory.parts.count) {
+        part = &memory.parts.parts[memory.nextPart];
+        result = fitPart(memory.nextPart);
+        ++memory.nextPart;
+        // With maps for all parts each has its own; else those without shadows go without.
+        if (result.hasMap() || memory.parts.count - memory.nextPart < mapsLeft) break;
+    }
+    if (mapsLeft > 1) return result;
+
+    bool tooFew = false;
+    for (; memory.nextPart < memory.parts.count && !tooFew; ++memory.nextPart)
+        tooFew = fitPart(memory.nextPart).hasMap();
+    memory.nextPart = memory.parts.count;
+    if (tooFew && !memory.warnedParts)
+        logWarning("light '" + light.getName() +
+                   "' needs more shadow maps than it has: some of its shadows are missing");
+    memory.warnedParts = tooFew;
+    return result;
+}
+
 void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const Ogre::Camera* viewer,
                                               const Ogre::Viewport* viewport,
                                               const Ogre::Light* light, Ogre::Camera* shadowCamera,
@@ -129,21 +218,20 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     // The camera's scene manager is the one we were handed, and not const.
     Ogre::SceneManager& sceneManager = *viewer->getSceneManager();
     guardLights(sceneManager);
+    LightMemory& memory =
+        mMemory->of({light, viewer}, Ogre::Root::getSingleton().getNextFrameNumber());
+    const std::size_t maps = mapsOf(*light, sceneManager, memory);
+    if (iteration >= maps) return skipShadowPass(*shadowCamera);
 
     const double shadowDistance = light->getShadowFarDistance();
     const TimedSurvey& timed = surveyFor(*viewer, *viewport, shadowDistance);
     const Survey& survey = timed.survey;
-    MapMemory& memory =
-        mMemory->of({light, viewer, iteration}, Ogre::Root::getSingleton().getNextFrameNumber());
 
     const Ogre::Viewport& map = *shadowCamera->getViewport();
     ShadowProblem problem;
     problem.viewer = survey.viewer();
     problem.viewer.shadowDistance = shadowDistance;
     problem.light = describe(*light, *viewer, survey.wsOrigin());
-    const auto searchBegin = Clock::now();
-    problem.casters = &memory.casters.find(survey, problem.light, shadowDistance);
-    const double searchTime = since(searchBegin);
     problem.receivers = &survey.receivers();
     problem.surfaces = survey.surfaces();
     problem.mapWidth = map.getActualWidth();
@@ -152,30 +240,39 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     problem.depthClamp = canClampDepth();
     problem.wsOrigin = survey.wsOrigin();
 
+    double searchTime = 0.0;
+    double fitTime = 0.0;
+    if (iteration == 0) {
+        const auto searchBegin = Clock::now();
+        memory.casters = &memory.search.find(survey, problem.light, shadowDistance);
+        searchTime = since(searchBegin);
+    }
+    problem.casters = memory.casters;
     const auto fitBegin = Clock::now();
-    const ShadowFit result = fit(problem, memory.state);
-    const double fitTime = since(fitBegin);
+    if (iteration == 0) {
+        memory.parts = divide(problem, maps, memory.division);
+        memory.nextPart = 0;
+    }
+    const ShadowPart* part = nullptr;
+    const ShadowFit result = fitNext(problem, *light, maps - iteration, memory, part);
+    fitTime = since(fitBegin);
 
     place(*shadowCamera, result, survey.wsOrigin());
     if (result.hasMap()) {
-        memory.volume.set(result, survey.wsOrigin());
-        shadowCamera->setCullingFrustum(&memory.volume);
+        CasterVolume& volume = memory.volumes.at(iteration);
+        volume.set(result, survey.wsOrigin());
+        shadowCamera->setCullingFrustum(&volume);
         armShadowPass(*shadowCamera);
     } else {
         skipShadowPass(*shadowCamera);
     }
-
-    // A light that happens to shadow nothing is no news; input that cannot be drawn is.
-    if (result.reason != memory.lastReason && result.reason >= FitReason::Unbounded)
-        Ogre::LogManager::getSingleton().logWarning("Lixel: no shadow map for light '" +
-                                                    light->getName() +
-                                                    "': " + toString(result.reason));
-    memory.lastReason = result.reason;
+    FitReason& lastReason = memory.lastReasons.at(iteration);
+    if (result.reason != lastReason) logReason(*light, result.reason);
+    lastReason = result.reason;
     const bool unbounded = !survey.unboundedName().empty();
     if (unbounded && result.hasMap() && !memory.warnedUnbounded)
-        Ogre::LogManager::getSingleton().logWarning(
-            "Lixel: '" + survey.unboundedName() + "' has no bounds; the shadow map of light '" +
-            light->getName() + "' is focused as if it were everywhere in view");
+        logWarning("'" + survey.unboundedName() + "' has no bounds; the shadow map of light '" +
+                   light->getName() + "' is focused as if it were everywhere in view");
     memory.warnedUnbounded = unbounded;
 
     publishShadowMap({.sceneManager = sceneManager,
@@ -184,6 +281,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
                       .light = const_cast<Ogre::Light&>(*light),
                       .shadowCamera = *shadowCamera,
                       .iteration = iteration,
+                      .part = *part,
                       .fit = result,
                       .wsOrigin = survey.wsOrigin(),
                       .width = problem.mapWidth,

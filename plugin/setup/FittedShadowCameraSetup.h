@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fit/FitState.h"
+#include "fit/CascadeSplits.h"
+#include "fit/ShadowParts.h"
 
 // OgreShadowCameraSetup.h of 1.12 needs it and does not include it.
 #include <OgreSharedPtr.h>
@@ -11,6 +12,13 @@
 
 namespace Lixel {
 
+/// What a division of a light into several maps remembers, for each light and viewer.
+struct DivisionMemory {
+    AimScratch aim;
+    CascadeMemory cascades;
+    std::vector<double> vsSplits;
+};
+
 /** Base of all setups that fit a shadow map: survey, fit, shadow camera, caster volume, observers.
 
     Enable one with Light::setCustomShadowCameraSetup or SceneManager::setShadowCameraSetup. One
@@ -20,6 +28,13 @@ namespace Lixel {
     The far end of shadows is the light's (or scene manager's) shadow far distance, where one is
     set, else the viewer's far plane. The near end of a local light is its shadow near clip
     distance, else the viewer's.
+
+    A light has as many maps as SceneManager::setShadowTextureCountPerLightType says for its type,
+    under the integrated shadow techniques; elsewhere OGRE draws one map a light, and the log says
+   so where there are more. A point light, and a spot wider than 179°, takes six, one for each face
+   of a cube around it; with fewer it gets the narrowest spot around what it can shadow, or where
+   that would be wider than 160°, those faces that have something to show. Where these do not
+   suffice, and where there is one map, it has no shadow, and the log says so.
 
     Where there is no map to draw (a light that shadows nothing in view, or bad input) no caster is
     drawn, everything is lit, and the log says why once.
@@ -54,8 +69,27 @@ protected:
     /// The technique: one map of the problem. @see fit/ShadowFit.h
     virtual ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept = 0;
 
+    /// Who is served by which map. Where there are more parts than maps, those with nothing to draw
+    /// get none. @param maps that the light has, at least 1
+    /// @return no part where that many maps are too few
+    virtual ShadowParts divide(const ShadowProblem& problem, std::size_t maps,
+                               DivisionMemory& memory) const noexcept;
+
+    /// Another setup's technique, for setups that are made of others.
+    static ShadowFit fitAs(const FittedShadowCameraSetup& technique, const ShadowProblem& problem,
+                           FitState& state) noexcept {
+        return technique.fit(problem, state);
+    }
+
 private:
+    struct LightMemory;
     struct Memory;
+    /// Fits the next part that one of the light's remaining maps is for.
+    ShadowFit fitNext(const ShadowProblem& problem, const Ogre::Light& light, std::size_t mapsLeft,
+                      LightMemory& memory, const ShadowPart*& part) const;
+    static std::size_t mapsOf(const Ogre::Light& light, const Ogre::SceneManager& sceneManager,
+                              LightMemory& memory);
+
     std::unique_ptr<Memory> mMemory;
     Ogre::Real mFilterRadius = 1;
     Ogre::Real mDepthBias = 0;

@@ -82,12 +82,14 @@ void ObservedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager* sceneM
     fit.depthPerWorldUnit =
         std::abs(fit.depthScale * fit.clipFromWorld.row(2).head<3>().dot(axis.normalized()));
 
+    static const ShadowPart everything;
     publishShadowMap({.sceneManager = *viewer->getSceneManager(),
                       .viewer = *viewer,
                       // OGRE hands out its own, mutable light as const.
                       .light = const_cast<Ogre::Light&>(*light),
                       .shadowCamera = *shadowCamera,
                       .iteration = iteration,
+                      .part = everything,
                       .fit = fit,
                       .wsOrigin = Vec3::Zero(),
                       .width = shadowCamera->getViewport()->getActualWidth(),

@@ -6,8 +6,7 @@ namespace Lixel {
 
 void OptimalShadowCameraSetup::setSamples(int samples) {
     if (samples < 1 || samples > 4096)
-        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                    "samples: there must be between 1 and 4096",
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, "samples: there must be between 1 and 4096",
                     "OptimalShadowCameraSetup::setSamples");
     mOptions.samples = samples;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/ShadowFit.h"
+#include "fit/ShadowParts.h"
 
 namespace Ogre {
 class Camera;
@@ -18,6 +19,9 @@ struct ShadowMap {
     Ogre::Camera& shadowCamera;
     /// Which of the light's maps this is.
     std::size_t iteration;
+    /// Which receivers it serves, relative to the fit's origin: those where the light's other maps
+    /// have a lesser function.
+    const ShadowPart& part;
     /// The matrices, and why they are as they are. Without a map nothing is drawn, and all is lit.
     const ShadowFit& fit;
     /// The fit's origin in the world.

@@ -6,7 +6,7 @@ namespace Lixel {
 
 ShadowFit UniformShadowCameraSetup::fit(const ShadowProblem& problem,
                                         FitState& state) const noexcept {
-    return fitUniform(problem, state);
+    return fitUniform(problem, mOptions, state);
 }
 
 } // namespace Lixel

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/Uniform.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
@@ -11,8 +12,17 @@ public:
         return std::make_shared<UniformShadowCameraSetup>();
     }
 
+    /** Steady texels instead of small ones: shadows' edges stay as they are while the viewer turns
+        and moves. The map covers all that is in view up to the shadow distance, which is worth
+        setting low; or use it for the slices of cascades. Default false. */
+    void setStable(bool stable) { mOptions.stable = stable; }
+    bool getStable() const { return mOptions.stable; }
+
 protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
+
+private:
+    UniformOptions mOptions;
 };
 
 } // namespace Lixel

@@ -12,16 +12,17 @@ namespace {
     the shadow camera sees that is set up from it, the third is set up from both. */
 constexpr int SettlingFrames = 3;
 
-/// Matrix' receivers multiply world positions with, which are rounded to float as programs get
-/// What programs multiply world positions with, relative to `wsOrigin`; they get it as floats.
-Eigen::Matrix4d asDrawn(const ShadowMap& map, const Eigen::Vector3d& wsOrigin) {
+/// Rows that programs multiply world positions with, as rows for positions relative to `wsOrigin`.
+/// Programs get them as floats.
+template <typename Rows>
+Rows fromOrigin(const Rows& rows, const ShadowMap& map, const Eigen::Vector3d& wsOrigin) {
     Eigen::Affine3d fitFromWorld = Eigen::Affine3d::Identity();
     fitFromWorld.translation() = -map.wsOrigin;
     Eigen::Affine3d worldFromOrigin = Eigen::Affine3d::Identity();
     worldFromOrigin.translation() = wsOrigin;
-    const Eigen::Matrix4d clipFromWorld =
-        (map.fit.clipFromWorld * fitFromWorld.matrix()).cast<float>().cast<double>();
-    return clipFromWorld * worldFromOrigin.matrix();
+    const Rows drawn =
+        (rows * fitFromWorld.matrix()).template cast<float>().template cast<double>();
+    return drawn * worldFromOrigin.matrix();
 }
 
 } // namespace
@@ -41,8 +42,12 @@ MapCapture::~MapCapture() {
 void MapCapture::setMaps(int mapSize, std::size_t count) {
     if (mapSize == mMapSize && count == mMapCount) return;
     Ogre::SceneManager& manager = mStage.sceneManager();
+    // Elsewhere OGRE draws one map a light.
+    manager.setShadowTechnique(count > 1 ? Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED
+                                         : Ogre::SHADOWTYPE_TEXTURE_ADDITIVE);
     const double side = mapSize / std::sqrt(static_cast<double>(count));
-    for (const auto type : {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT})
+    for (const auto type :
+         {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT, Ogre::Light::LT_POINT})
         manager.setShadowTextureCountPerLightType(type, count);
     manager.setShadowTextureSettings(static_cast<Ogre::ushort>(std::lround(side)),
                                      static_cast<Ogre::ushort>(count), Ogre::PF_FLOAT32_R);
@@ -66,7 +71,7 @@ std::vector<EmulatedMap> MapCapture::capture(const NamedSetup& setup, int mapSiz
         mMaps.assign(setup.maps, EmulatedMap{});
         mStage.drawFrame();
     }
-    if (setup.maps > 1) {
+    if (setup.splitDepths) {
         const std::vector<double> depths = setup.splitDepths(mStage.camera(), shadowDistance);
         for (std::size_t i = 0; i < setup.maps; ++i) {
             mMaps[i].beginDepth = i == 0 ? 0.0 : depths.at(i);
@@ -83,7 +88,8 @@ void MapCapture::shadowMapFitted(const ShadowMap& map) {
     emulated.height = map.height;
     emulated.clampsDepth = mClampsDepth;
     emulated.depthPerWorldUnit = map.fit.depthPerWorldUnit;
-    if (map.fit.hasMap()) emulated.clipFromWs = asDrawn(map, mOrigin);
+    emulated.wsShare = fromOrigin<Eigen::RowVector4d>(map.part.wsRow.transpose(), map, mOrigin);
+    if (map.fit.hasMap()) emulated.clipFromWs = fromOrigin(map.fit.clipFromWorld, map, mOrigin);
 }
 
 } // namespace Lixel::Samples

@@ -32,6 +32,20 @@ std::uint32_t texelAt(const EmulatedMap& map, const Vector3d& ws) {
     return static_cast<std::uint32_t>(row * map.width + column);
 }
 
+/// The map that serves a point; their number where none does.
+std::size_t servingMap(std::span<const EmulatedMap> maps, const Vector3d& ws, double depth) {
+    std::size_t serving = maps.size();
+    double greatest = -Infinity;
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+        if (!(depth >= maps[m].beginDepth && depth < maps[m].endDepth)) continue;
+        const double share = maps[m].wsShare.dot(ws.homogeneous().transpose());
+        if (!(share > greatest)) continue;
+        greatest = share;
+        serving = m;
+    }
+    return serving;
+}
+
 /// Cuts begin..end of a ray down to where plane . (x, 1) >= 0.
 void keepInFront(const RowVector4d& plane, const Vector3d& origin, const Vector3d& direction,
                  double& begin, double& end) {
@@ -75,13 +89,11 @@ void MapEmulation::findTexels(std::span<const EmulatedMap> maps) {
     mTexelOf.assign(mReceivers.size(), None);
     forEachPart(mReceivers.size(), PartSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const double depth = mReceivers[i].viewDepth;
-            for (std::size_t m = 0; m < maps.size(); ++m) {
-                if (!(depth >= maps[m].beginDepth && depth < maps[m].endDepth)) continue;
-                const std::uint32_t texel = texelAt(maps[m], mReceivers[i].point.position);
-                if (texel != None) mTexelOf[i] = static_cast<std::uint32_t>(mFirstTexel[m]) + texel;
-                break;
-            }
+            const std::size_t m =
+                servingMap(maps, mReceivers[i].point.position, mReceivers[i].viewDepth);
+            if (m == maps.size()) continue;
+            const std::uint32_t texel = texelAt(maps[m], mReceivers[i].point.position);
+            if (texel != None) mTexelOf[i] = static_cast<std::uint32_t>(mFirstTexel[m]) + texel;
         }
     });
 }

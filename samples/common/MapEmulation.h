@@ -20,6 +20,9 @@ struct EmulatedMap {
     /// View-space depths whose receivers read this map, in world units, the end excluded.
     double beginDepth = 0.0;
     double endDepth = std::numeric_limits<double>::infinity();
+    /// Of the maps whose depths hold a point, the one that serves it is that whose row times the
+    /// point is greatest; relative to TriangleScene::wsOrigin.
+    Eigen::RowVector4d wsShare = Eigen::RowVector4d::Zero();
     /// How much nearer than its receiver a caster must be beyond MapEmulation's own bias, in world
     /// units along the light ray.
     double extraBias = 0.0;
@@ -58,7 +61,7 @@ public:
 
     /** What the picture would show: a byte per pixel, row 0 at the top, 0 in shadow and 255 lit.
         Pixels that are neither Lit nor Shadowed in truth are 255.
-        @param maps of the light; where depths overlap, the first counts
+        @param maps of the light; where several serve a point alike, the first counts
     */
     std::vector<std::uint8_t> visibility(std::span<const EmulatedMap> maps);
 

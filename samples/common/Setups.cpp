@@ -1,10 +1,12 @@
 #include "common/Setups.h"
 
+#include <Lixel/setup/CascadesShadowCameraSetup.h>
 #include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/PSMShadowCameraSetup.h>
 #include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
+#include <Lixel/setup/PostProjectiveCubeShadowCameraSetup.h>
 #include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
@@ -106,6 +108,25 @@ NamedSetup ogre(const std::string& name, const std::string& title) {
     return {name, title, [] { return ObservedShadowCameraSetup::create(std::make_shared<T>()); }};
 }
 
+NamedSetup severalMaps(const std::string& name, const std::string& title, std::size_t maps,
+                       const std::function<Ogre::ShadowCameraSetupPtr()>& create) {
+    NamedSetup setup{name, title, create};
+    setup.maps = maps;
+    return setup;
+}
+
+Ogre::ShadowCameraSetupPtr createStable() {
+    auto setup = std::make_shared<UniformShadowCameraSetup>();
+    setup->setStable(true);
+    return setup;
+}
+
+Ogre::ShadowCameraSetupPtr createStableCascades() {
+    auto setup = std::make_shared<CascadesShadowCameraSetup>(createStable());
+    setup->setFollowReceivers(false);
+    return setup;
+}
+
 } // namespace
 
 const std::vector<NamedSetup>& shadowSetups() {
@@ -133,6 +154,20 @@ const std::vector<NamedSetup>& emulatedSetups() {
     static const std::vector<NamedSetup> setups = [] {
         std::vector<NamedSetup> all = shadowSetups();
         all.push_back(threeSplits());
+        all.push_back({"Stable", "Lixel: uniform, steady texels", createStable});
+        const auto optimalSlices = [] { return CascadesShadowCameraSetup::create(); };
+        all.push_back(severalMaps("Cascades-2", "Lixel: optimal, two slices", 2, optimalSlices));
+        all.push_back(severalMaps("Cascades-3", "Lixel: optimal, three slices", 3, optimalSlices));
+        all.push_back(severalMaps("XPSM-Cascades-2", "Lixel: XPSM, two slices", 2, [] {
+            return CascadesShadowCameraSetup::create(XPSMShadowCameraSetup::create());
+        }));
+        all.push_back(severalMaps("Uniform-Cascades-3", "Lixel: uniform, three slices", 3, [] {
+            return CascadesShadowCameraSetup::create(UniformShadowCameraSetup::create());
+        }));
+        all.push_back(severalMaps("Stable-Cascades-3", "Lixel: stable, three slices", 3,
+                                  createStableCascades));
+        all.push_back(severalMaps("Cube", "Lixel: cube map of post-projective space", 6,
+                                  [] { return PostProjectiveCubeShadowCameraSetup::create(); }));
         return all;
     }();
     return setups;

@@ -13,9 +13,10 @@ struct NamedSetup {
     std::string name;
     std::string title; ///< one line for people
     std::function<Ogre::ShadowCameraSetupPtr()> create;
-    /// Maps of one light; above 1 each serves a range of view depths.
+    /// Maps of one light.
     std::size_t maps = 1;
-    /// Where these ranges meet, for more than one map: maps + 1 view depths in world units, from
+    /// Where the ranges of view depths meet that they serve, for setups that do not say it
+    /// themselves: maps + 1 view depths in world units, from
     /// the viewer and how far shadows reach.
     std::function<std::vector<double>(const Ogre::Camera& viewer, double shadowDistance)>
         splitDepths = {};

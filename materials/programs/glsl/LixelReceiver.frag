@@ -12,7 +12,11 @@ out vec4 fragColour;
 
 void main()
 {
+#ifdef LIXEL_MAPS
+    float visibility = lixelVisibilityAt(wsPosition);
+#else
     float visibility = lixelVisibility(mapCoordinate);
+#endif
 #ifdef LIXEL_VISIBILITY_ONLY
     fragColour = vec4(vec3(visibility), 1.0);
 #else

@@ -5,21 +5,21 @@
 //
 // Define LIXEL_BILINEAR for percentage closer filtering over the 2x2 nearest texels; otherwise one
 // nearest texel decides.
-
-uniform sampler2D shadowMap;
-// (width, height, depth bias, depth per world unit)
-uniform vec4 lixelSizeBias;
+//
+// Define LIXEL_MAPS as 2, 3, 4 or 6 for lights with as many maps: then lixelVisibilityAt takes a world
+// position, and finds the map that serves it. Undefined, a light has one map, and lixelVisibility
+// takes its coordinate.
+//
+// A map's size and bias are (width, height, depth bias, depth per world unit).
 
 // Change of depth for one texel of u and v along the receiver's own surface (Isidoro 2006,
 // "receiver plane depth bias"), from the coordinate's screen derivatives.
-vec2 lixelDepthSlope(vec4 coordinate)
+vec2 lixelDepthSlope(vec4 sizeBias, vec4 coordinate, vec4 dx, vec4 dy)
 {
-    vec4 dx = dFdx(coordinate);
-    vec4 dy = dFdy(coordinate);
     // d(u) = (d(u w) - u d(w)) / w
     vec2 uv = coordinate.xy / coordinate.z;
-    vec2 tx = (dx.xy - uv * dx.z) / coordinate.z * lixelSizeBias.xy;
-    vec2 ty = (dy.xy - uv * dy.z) / coordinate.z * lixelSizeBias.xy;
+    vec2 tx = (dx.xy - uv * dx.z) / coordinate.z * sizeBias.xy;
+    vec2 ty = (dy.xy - uv * dy.z) / coordinate.z * sizeBias.xy;
     float determinant = tx.x * ty.y - tx.y * ty.x;
     vec2 slope = vec2(ty.y * dx.w - tx.y * dy.w, tx.x * dy.w - ty.x * dx.w) / determinant;
     // A surface seen exactly edge-on has no slope in the map.
@@ -27,34 +27,149 @@ vec2 lixelDepthSlope(vec4 coordinate)
 }
 
 // 1 where the light reaches the receiver through this texel, else 0.
-float lixelTap(vec2 texel, vec2 position, float depth, vec2 slope)
+float lixelTap(sampler2D map, vec4 sizeBias, vec2 texel, vec2 position, float depth, vec2 slope)
 {
-    vec2 last = lixelSizeBias.xy - 1.0;
-    float stored = texelFetch(shadowMap, ivec2(clamp(texel, vec2(0.0), last)), 0).r;
+    vec2 last = sizeBias.xy - 1.0;
+    float stored = texelFetch(map, ivec2(clamp(texel, vec2(0.0), last)), 0).r;
     // The receiver's surface where the light ray through the texel's centre meets it. A caster's
     // depth is at most 1: nothing is stored beyond the farthest receiver.
     float surface = depth + dot(slope, texel + 0.5 - position);
-    return min(surface, 1.0) - lixelSizeBias.z <= stored ? 1.0 : 0.0;
+    return min(surface, 1.0) - sizeBias.z <= stored ? 1.0 : 0.0;
 }
 
 // 1 where the receiver is lit, 0 where it is in shadow.
-float lixelVisibility(vec4 coordinate)
+// dx, dy: the coordinate's screen derivatives
+float lixelVisibilityIn(sampler2D map, vec4 sizeBias, vec4 coordinate, vec4 dx, vec4 dy)
 {
-    // Before any branch: derivatives are undefined in divergent flow.
-    vec2 slope = lixelDepthSlope(coordinate);
     vec2 uv = coordinate.xy / coordinate.z;
     if (!(coordinate.z > 0.0) || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0))))
         return 1.0;
-    vec2 position = uv * lixelSizeBias.xy;
+    vec2 slope = lixelDepthSlope(sizeBias, coordinate, dx, dy);
+    vec2 position = uv * sizeBias.xy;
+    float depth = coordinate.w;
 #ifdef LIXEL_BILINEAR
     vec2 corner = floor(position - 0.5);
     vec2 weight = position - 0.5 - corner;
-    float v00 = lixelTap(corner, position, coordinate.w, slope);
-    float v10 = lixelTap(corner + vec2(1.0, 0.0), position, coordinate.w, slope);
-    float v01 = lixelTap(corner + vec2(0.0, 1.0), position, coordinate.w, slope);
-    float v11 = lixelTap(corner + vec2(1.0, 1.0), position, coordinate.w, slope);
+    float v00 = lixelTap(map, sizeBias, corner, position, depth, slope);
+    float v10 = lixelTap(map, sizeBias, corner + vec2(1.0, 0.0), position, depth, slope);
+    float v01 = lixelTap(map, sizeBias, corner + vec2(0.0, 1.0), position, depth, slope);
+    float v11 = lixelTap(map, sizeBias, corner + vec2(1.0, 1.0), position, depth, slope);
     return mix(mix(v00, v10, weight.x), mix(v01, v11, weight.x), weight.y);
 #else
-    return lixelTap(floor(position), position, coordinate.w, slope);
+    return lixelTap(map, sizeBias, floor(position), position, depth, slope);
 #endif
 }
+
+#ifndef LIXEL_MAPS
+
+uniform sampler2D shadowMap;
+uniform vec4 lixelSizeBias;
+
+// Call it unconditionally: screen derivatives are undefined in divergent flow.
+float lixelVisibility(vec4 coordinate)
+{
+    return lixelVisibilityIn(shadowMap, lixelSizeBias, coordinate, dFdx(coordinate),
+                             dFdy(coordinate));
+}
+
+#else
+
+uniform sampler2D shadowMap0;
+uniform vec4 lixelRowU0, lixelRowV0, lixelRowW0, lixelRowDepth0, lixelSizeBias0, lixelRowShare0;
+#if LIXEL_MAPS > 1
+uniform sampler2D shadowMap1;
+uniform vec4 lixelRowU1, lixelRowV1, lixelRowW1, lixelRowDepth1, lixelSizeBias1, lixelRowShare1;
+#endif
+#if LIXEL_MAPS > 2
+uniform sampler2D shadowMap2;
+uniform vec4 lixelRowU2, lixelRowV2, lixelRowW2, lixelRowDepth2, lixelSizeBias2, lixelRowShare2;
+#endif
+#if LIXEL_MAPS > 3
+uniform sampler2D shadowMap3;
+uniform vec4 lixelRowU3, lixelRowV3, lixelRowW3, lixelRowDepth3, lixelSizeBias3, lixelRowShare3;
+#endif
+#if LIXEL_MAPS > 4
+uniform sampler2D shadowMap4;
+uniform vec4 lixelRowU4, lixelRowV4, lixelRowW4, lixelRowDepth4, lixelSizeBias4, lixelRowShare4;
+#endif
+#if LIXEL_MAPS > 5
+uniform sampler2D shadowMap5;
+uniform vec4 lixelRowU5, lixelRowV5, lixelRowW5, lixelRowDepth5, lixelSizeBias5, lixelRowShare5;
+#endif
+
+// A position's coordinate in one map, by the map's rows.
+#define LIXEL_COORDINATE(u, v, w, depth, ws) \
+    vec4(dot(u, ws), dot(v, ws), dot(w, ws), dot(depth, ws))
+// What one map shows at the position ws, whose screen derivatives are dx and dy.
+#define LIXEL_LOOK_UP(map, sizeBias, u, v, w, depth) \
+    lixelVisibilityIn(map, sizeBias, LIXEL_COORDINATE(u, v, w, depth, ws), \
+                      LIXEL_COORDINATE(u, v, w, depth, dx), LIXEL_COORDINATE(u, v, w, depth, dy))
+
+// The map whose function is greatest at a world position: the one that serves it.
+int lixelServingMap(vec4 ws)
+{
+    int serving = 0;
+    float greatest = dot(lixelRowShare0, ws);
+    float share;
+#if LIXEL_MAPS > 1
+    share = dot(lixelRowShare1, ws);
+    if (share > greatest) { serving = 1; greatest = share; }
+#endif
+#if LIXEL_MAPS > 2
+    share = dot(lixelRowShare2, ws);
+    if (share > greatest) { serving = 2; greatest = share; }
+#endif
+#if LIXEL_MAPS > 3
+    share = dot(lixelRowShare3, ws);
+    if (share > greatest) { serving = 3; greatest = share; }
+#endif
+#if LIXEL_MAPS > 4
+    share = dot(lixelRowShare4, ws);
+    if (share > greatest) { serving = 4; greatest = share; }
+#endif
+#if LIXEL_MAPS > 5
+    share = dot(lixelRowShare5, ws);
+    if (share > greatest) { serving = 5; greatest = share; }
+#endif
+    return serving;
+}
+
+// 1 where the receiver is lit, 0 where it is in shadow. Call it unconditionally, as lixelVisibility.
+float lixelVisibilityAt(vec3 wsPosition)
+{
+    vec4 ws = vec4(wsPosition, 1.0);
+    // Coordinates are affine in the position, so their derivatives come from its own, whichever
+    // maps the neighbouring pixels read.
+    vec4 dx = vec4(dFdx(wsPosition), 0.0);
+    vec4 dy = vec4(dFdy(wsPosition), 0.0);
+    int serving = lixelServingMap(ws);
+#if LIXEL_MAPS > 5
+    if (serving == 5)
+        return LIXEL_LOOK_UP(shadowMap5, lixelSizeBias5, lixelRowU5, lixelRowV5, lixelRowW5,
+                             lixelRowDepth5);
+#endif
+#if LIXEL_MAPS > 4
+    if (serving == 4)
+        return LIXEL_LOOK_UP(shadowMap4, lixelSizeBias4, lixelRowU4, lixelRowV4, lixelRowW4,
+                             lixelRowDepth4);
+#endif
+#if LIXEL_MAPS > 3
+    if (serving == 3)
+        return LIXEL_LOOK_UP(shadowMap3, lixelSizeBias3, lixelRowU3, lixelRowV3, lixelRowW3,
+                             lixelRowDepth3);
+#endif
+#if LIXEL_MAPS > 2
+    if (serving == 2)
+        return LIXEL_LOOK_UP(shadowMap2, lixelSizeBias2, lixelRowU2, lixelRowV2, lixelRowW2,
+                             lixelRowDepth2);
+#endif
+#if LIXEL_MAPS > 1
+    if (serving == 1)
+        return LIXEL_LOOK_UP(shadowMap1, lixelSizeBias1, lixelRowU1, lixelRowV1, lixelRowW1,
+                             lixelRowDepth1);
+#endif
+    return LIXEL_LOOK_UP(shadowMap0, lixelSizeBias0, lixelRowU0, lixelRowV0, lixelRowW0,
+                         lixelRowDepth0);
+}
+
+#endif

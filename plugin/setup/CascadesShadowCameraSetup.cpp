@@ -1,0 +1,60 @@
+#include "setup/CascadesShadowCameraSetup.h"
+
+#include "setup/OptimalShadowCameraSetup.h"
+
+#include <OgreException.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Lixel {
+
+CascadesShadowCameraSetup::CascadesShadowCameraSetup(const Ogre::ShadowCameraSetupPtr& technique)
+    : mTechnique(std::dynamic_pointer_cast<const FittedShadowCameraSetup>(technique)) {
+    if (!mTechnique || dynamic_cast<const CascadesShadowCameraSetup*>(mTechnique.get()) != nullptr)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                    "technique: cascades are made of one of Lixel's setups with a single map",
+                    "CascadesShadowCameraSetup");
+}
+
+Ogre::ShadowCameraSetupPtr CascadesShadowCameraSetup::create() {
+    return create(OptimalShadowCameraSetup::create());
+}
+
+void CascadesShadowCameraSetup::setUniformity(Ogre::Real uniformity) {
+    if (!(uniformity >= 0) || !(uniformity <= 1))
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                    "uniformity: it must be between 0 (logarithmic) and 1 (equal depths)",
+                    "CascadesShadowCameraSetup::setUniformity");
+    mOptions.uniformity = uniformity;
+}
+
+void CascadesShadowCameraSetup::setSplitDepths(const std::vector<Ogre::Real>& depths) {
+    Ogre::Real last = 0;
+    for (const Ogre::Real depth : depths) {
+        if (!(depth > last) || !std::isfinite(depth))
+            OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                        "depths: they must be positive, finite and ascending",
+                        "CascadesShadowCameraSetup::setSplitDepths");
+        last = depth;
+    }
+    mSplitDepths = depths;
+}
+
+ShadowFit CascadesShadowCameraSetup::fit(const ShadowProblem& problem,
+                                         FitState& state) const noexcept {
+    return fitAs(*mTechnique, problem, state);
+}
+
+ShadowParts CascadesShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
+                                              DivisionMemory& memory) const noexcept {
+    if (needsParts(problem.light)) return FittedShadowCameraSetup::divide(problem, maps, memory);
+    if (mSplitDepths.empty())
+        cascadeSplits(problem, static_cast<int>(maps), mOptions, memory.cascades, memory.vsSplits);
+    else
+        memory.vsSplits.assign(mSplitDepths.begin(), mSplitDepths.end());
+    if (memory.vsSplits.size() > maps - 1) memory.vsSplits.resize(maps - 1);
+    return sliceView(problem.viewer, problem.light, memory.vsSplits);
+}
+
+} // namespace Lixel

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "fit/PostProjectiveCube.h"
+#include "setup/FittedShadowCameraSetup.h"
+
+namespace Lixel {
+
+/** Kozlov's cube map of post-projective space (2004, §14.2.2): the light's maps are the faces of
+   the viewer's volume through which its rays leave, three to five for a directional light, up to
+   six for a light in view.
+
+    Give the light six maps (SceneManager::setShadowTextureCountPerLightType), under an integrated
+    shadow technique and with a material that reads as many, such as
+    `Lixel/Surface/Integrated/Maps6`; faces without shadows are not drawn. With one map it is a
+    perspective shadow map (PSM) of a light that one map is enough for.
+
+    @see fit/PostProjectiveCube.h
+*/
+class LIXEL_API PostProjectiveCubeShadowCameraSetup : public FittedShadowCameraSetup {
+public:
+    static Ogre::ShadowCameraSetupPtr create() {
+        return std::make_shared<PostProjectiveCubeShadowCameraSetup>();
+    }
+
+    /// As PSMShadowCameraSetup::setSlideBack: 0 favours the near most, 1 makes near and far alike.
+    /// Default 0.25.
+    /// @throws Ogre::InvalidParametersException unless finite and >= 0.
+    void setSlideBack(Ogre::Real slideBack);
+    Ogre::Real getSlideBack() const { return static_cast<Ogre::Real>(mOptions.slideBack); }
+
+protected:
+    ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
+    ShadowParts divide(const ShadowProblem& problem, std::size_t maps,
+                       DivisionMemory& memory) const noexcept override;
+
+private:
+    CubeOptions mOptions;
+};
+
+} // namespace Lixel
