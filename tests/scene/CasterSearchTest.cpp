@@ -242,9 +242,27 @@ TEST_P(CasterSearchTest, OfLightsWithoutAMapIsNoMoreThanAWitness) {
     constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
     for (const ShadowLight& light :
          {sunAlong({0, 0, 0}), sunAlong({NaN, 0, 1}),
-          ShadowLight{.kind = LightKind::Point, .wsPosition = Vec3(0, 3, 0)},
           ShadowLight{.kind = LightKind::Spot, .wsPosition = Vec3(0, NaN, 0)}})
         EXPECT_EQ(find(light).boxes().size(), 1U);
+}
+
+TEST_P(CasterSearchTest, FindsForAPointLightWhatIsBetweenItAndTheReceivers) {
+    addCube(Vector3(0, -3, -10))->setCastShadows(false);
+    const Ogre::Entity* const between = addCube(Vector3(2, 0, -8), 0.5f, false);
+    const Ogre::Entity* const above = addCube(Vector3(0, 9, -10), 0.5f, false);
+    const Ogre::Entity* const beside = addCube(Vector3(20, 0, -10), 0.5f, false);
+    ShadowLight lamp{.kind = LightKind::Point, .wsPosition = Vec3(4, 4, -6)};
+    EXPECT_TRUE(finds(*between, lamp));
+    EXPECT_FALSE(finds(*above, lamp));
+    EXPECT_FALSE(finds(*beside, lamp));
+    // A spot of more than half the space is searched for as a point light is.
+    lamp.kind = LightKind::Spot;
+    lamp.outerHalfAngle = 2.0;
+    EXPECT_TRUE(finds(*between, lamp));
+    EXPECT_FALSE(finds(*above, lamp));
+    // Out of the light's range there are no receivers.
+    lamp.range = 3.0;
+    EXPECT_FALSE(finds(*beside, lamp));
 }
 
 TEST_P(CasterSearchTest, HoldsFarFromTheWorldsOrigin) {

@@ -171,9 +171,10 @@ TEST_P(BadInput, LightStraightDown) {
     EXPECT_EQ(log.count("Lixel:"), 0U);
 }
 
-TEST_P(BadInput, PointLightHasNoMapAndSaysSo) {
+TEST_P(BadInput, PointLightInsideACasterHasNoMapAndSaysSo) {
+    // It would need six maps, and has one.
     scene.stage.light().setType(Ogre::Light::LT_POINT);
-    scene.stage.light().getParentSceneNode()->setPosition(Ogre::Vector3(10, 10, 0));
+    scene.stage.light().getParentSceneNode()->setPosition(Ogre::Vector3(0, 1, 0));
     for (int i = 0; i < 3; ++i)
         scene.stage.drawFrame();
     EXPECT_EQ(last.fit.reason, FitReason::TooFewMaps);

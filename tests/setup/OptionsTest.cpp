@@ -1,12 +1,14 @@
 // Wrong calls name their argument.
 
+#include <Lixel/setup/CascadesShadowCameraSetup.h>
 #include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
+#include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/PSMShadowCameraSetup.h>
 #include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
+#include <Lixel/setup/PostProjectiveCubeShadowCameraSetup.h>
 #include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
 #include <Lixel/setup/UniformShadowCameraSetup.h>
-#include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
 #include <OgreException.h>
@@ -140,6 +142,47 @@ TEST(Options, PlaneOptimal) {
     const Ogre::MovablePlane floor(Ogre::Vector3::UNIT_X, 2);
     setup.setPlane(&floor);
     EXPECT_EQ(setup.getPlane(), static_cast<const Ogre::Plane&>(floor));
+}
+
+TEST(Options, Stable) {
+    UniformShadowCameraSetup setup;
+    EXPECT_FALSE(setup.getStable());
+    setup.setStable(true);
+    EXPECT_TRUE(setup.getStable());
+}
+
+TEST(Options, PostProjectiveCube) {
+    PostProjectiveCubeShadowCameraSetup setup;
+    EXPECT_EQ(setup.getSlideBack(), 0.25F);
+    setup.setSlideBack(1);
+    EXPECT_EQ(setup.getSlideBack(), 1.0F);
+    for (const float wrong : {-1.0F, NaN, Infinity})
+        EXPECT_NE(refusal([&] { setup.setSlideBack(wrong); }).find("slideBack"), std::string::npos);
+}
+
+TEST(Options, Cascades) {
+    CascadesShadowCameraSetup setup(UniformShadowCameraSetup::create());
+    EXPECT_EQ(setup.getUniformity(), 0.0F);
+    EXPECT_TRUE(setup.getFollowReceivers());
+    EXPECT_TRUE(setup.getSplitDepths().empty());
+    setup.setUniformity(0.5F);
+    setup.setFollowReceivers(false);
+    setup.setSplitDepths({3, 20});
+    EXPECT_EQ(setup.getUniformity(), 0.5F);
+    EXPECT_FALSE(setup.getFollowReceivers());
+    EXPECT_EQ(setup.getSplitDepths(), std::vector<Ogre::Real>({3, 20}));
+    for (const float wrong : {-0.1F, 1.1F, NaN})
+        EXPECT_NE(refusal([&] { setup.setUniformity(wrong); }).find("uniformity"),
+                  std::string::npos);
+    for (const std::vector<Ogre::Real>& wrong :
+         std::vector<std::vector<Ogre::Real>>{{0}, {-1, 2}, {5, 3}, {2, 2}, {NaN}, {1, Infinity}})
+        EXPECT_NE(refusal([&] { setup.setSplitDepths(wrong); }).find("depths"), std::string::npos);
+    EXPECT_EQ(setup.getSplitDepths(), std::vector<Ogre::Real>({3, 20}));
+    for (const Ogre::ShadowCameraSetupPtr& wrong :
+         {Ogre::ShadowCameraSetupPtr(), Ogre::DefaultShadowCameraSetup::create(),
+          CascadesShadowCameraSetup::create()})
+        EXPECT_NE(refusal([&] { CascadesShadowCameraSetup::create(wrong); }).find("technique"),
+                  std::string::npos);
 }
 
 TEST(Options, NothingToObserve) {

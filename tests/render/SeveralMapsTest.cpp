@@ -1,0 +1,219 @@
+// Lights with several maps: slices, faces, cubes, as OGRE draws them.
+
+#include "TestStage.h"
+
+#include "common/MapCapture.h"
+#include "common/OracleView.h"
+#include "common/Surface.h"
+
+#include <fmt/core.h>
+
+#include <optional>
+
+namespace Lixel::Tests {
+namespace {
+
+using namespace Samples;
+
+constexpr const char* White = "Test/Visibility";
+
+/// White where lit, black in shadow, by the nearest texel of up to six maps of an integrated light.
+const char* const WhiteScript = R"(
+import * from "Lixel.program"
+import * from "Lixel.material"
+
+fragment_program Test/VisibilityFP glsl : Lixel/ReceiverFP/Maps6
+{
+    preprocessor_defines LIXEL_VISIBILITY_ONLY=1,LIXEL_MAPS=6
+}
+
+material Test/Visibility : Lixel/Surface/Integrated/Maps6
+{
+    technique
+    {
+        pass Light
+        {
+            fragment_program_ref Test/VisibilityFP
+            {
+            }
+        }
+    }
+}
+)";
+
+void showVisibility(Stage& stage) {
+    Ogre::MaterialManager& materials = Ogre::MaterialManager::getSingleton();
+    if (!materials.resourceExists(White, "Lixel")) {
+        Ogre::DataStreamPtr script = std::make_shared<Ogre::MemoryDataStream>(
+            const_cast<char*>(WhiteScript), std::strlen(WhiteScript), false, true);
+        materials.parseScript(script, "Lixel");
+    }
+    stage.sceneManager().setAmbientLight(Ogre::ColourValue::Black);
+    for (const auto& [name, object] : stage.sceneManager().getMovableObjects("Entity"))
+        static_cast<Ogre::Entity*>(object)->setMaterial(materials.getByName(White, "Lixel"));
+}
+
+void setMaps(Stage& stage, int side, std::size_t count) {
+    Ogre::SceneManager& manager = stage.sceneManager();
+    manager.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    for (const auto type :
+         {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT, Ogre::Light::LT_POINT})
+        manager.setShadowTextureCountPerLightType(type, count);
+    manager.setShadowTextureSettings(static_cast<Ogre::ushort>(side),
+                                     static_cast<Ogre::ushort>(count), Ogre::PF_FLOAT32_R);
+}
+
+ClassificationError drawnError(Stage& stage, const ShadowTruth& truth) {
+    stage.drawFrame();
+    const std::vector<std::uint8_t> rgb = stage.picture();
+    std::vector<std::uint8_t> visibility(rgb.size() / 3);
+    for (std::size_t i = 0; i < visibility.size(); ++i)
+        visibility[i] = rgb[3 * i];
+    return compareWithTruth(truth, visibility);
+}
+
+const NamedSetup& emulated(const std::string& name) {
+    for (const NamedSetup& setup : emulatedSetups())
+        if (setup.name == name) return setup;
+    throw std::runtime_error("no setup " + name);
+}
+
+class SeveralMaps : public testing::TestWithParam<const char*> {};
+
+/// The picture errs as its matrices say that it should, and little.
+TEST_P(SeveralMaps, OfTheSunAreDrawnAsEmulated) {
+    constexpr int Width = 400;
+    constexpr int Height = 300;
+    constexpr int MapSize = 1024;
+    const SampleScene& scene = *findSampleScene("field");
+    Stage stage({.headless = true, .width = Width, .height = Height});
+    stage.show(scene);
+    const double reach = static_cast<double>(scene.shadowDistance);
+    const ShadowOracle oracle(collectTriangles(stage.sceneManager()));
+    MapEmulation emulation(oracle, stage.sceneManager().getShadowCasterRenderBackFaces()
+                                       ? CasterFaces::Backs
+                                       : CasterFaces::Fronts);
+    showVisibility(stage);
+    const NamedSetup& setup = emulated(GetParam());
+    for (const SampleLight& light : std::span(scene.lights).first(2)) {
+        stage.setView(scene.views.front());
+        stage.setLight(light);
+        emulation.setView(oracleView(stage.camera(), Width, Height, reach));
+        emulation.setLight(oracleLight(stage.light()));
+        const auto maps = MapCapture(stage).capture(setup, MapSize, reach, oracle.scene().wsOrigin);
+        ASSERT_EQ(maps.size(), setup.maps);
+        EXPECT_GT(maps[0].width, 0);
+        const ClassificationError expected = emulation.error(maps);
+
+        setMaps(stage, maps[0].width, setup.maps);
+        stage.setShadowSetup(setup.create());
+        const ClassificationError drawn = drawnError(stage, emulation.truth());
+        fmt::print("{}, {}: drawn {:.3f} %, emulated {:.3f} %, {} shadowed pixels\n", setup.name,
+                   light.name, drawn.error, expected.error, drawn.shadowed);
+        EXPECT_GT(drawn.shadowed, 1000U);
+        // As in EmulationTest: a tenth, and 40 pixels of rasterisation.
+        EXPECT_NEAR(drawn.error, expected.error,
+                    0.1 * drawn.error + 4000.0 / static_cast<double>(drawn.counted()));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Setups, SeveralMaps,
+                         testing::Values("Cascades-2", "Cascades-3", "Uniform-Cascades-3",
+                                         "Stable-Cascades-3", "Cube"),
+                         [](const auto& instance) {
+                             std::string name = instance.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
+
+/// A lamp with boxes of height 2 on all sides of it.
+class Lamp : public BoxOnGround {
+public:
+    explicit Lamp(float height) : BoxOnGround("", "Uniform") {
+        stage.light().setType(Ogre::Light::LT_POINT);
+        stage.light().setAttenuation(200, 1, 0, 0);
+        stage.light().getParentSceneNode()->setPosition(0, height, 0);
+        box->setPosition(4, 1, 0);
+        addCube(Ogre::Vector3(-4, 1, 1), Ogre::Vector3(2, 2, 2));
+        addCube(Ogre::Vector3(0, 1, -5), Ogre::Vector3(2, 2, 2));
+        addCube(Ogre::Vector3(0, 1, 4), Ogre::Vector3(1, 2, 1));
+    }
+
+    ClassificationError error() {
+        const ShadowOracle oracle(collectTriangles(stage.sceneManager()));
+        return drawnError(stage, oracle.classify(oracleView(stage.camera(), 320, 240, 100.0),
+                                                 oracleLight(stage.light())));
+    }
+};
+
+TEST(PointLight, HasSixMaps) {
+    for (const char* const setup : {"Uniform", "Optimal", "Cascades-3", "Cube"}) {
+        SCOPED_TRACE(setup);
+        Lamp lamp(3);
+        LogCollector log;
+        lamp.stage.setShadowSetup(emulated(setup).create());
+        showVisibility(lamp.stage);
+        setMaps(lamp.stage, 1024, 6);
+        const ClassificationError error = lamp.error();
+        fmt::print("{}: {:.3f} % of {} shadowed pixels\n", setup, error.error, error.shadowed);
+        EXPECT_GT(error.shadowed, 1000U);
+        EXPECT_LT(error.error, 0.5);
+        EXPECT_EQ(log.count("Lixel:"), 0U);
+    }
+}
+
+/// In the open, a single map is aimed at what it can shadow.
+TEST(PointLight, BesideTheSceneNeedsOneMap) {
+    BoxOnGround scene("", "Optimal");
+    LogCollector log;
+    scene.stage.light().setType(Ogre::Light::LT_POINT);
+    scene.stage.light().setAttenuation(200, 1, 0, 0);
+    scene.stage.light().getParentSceneNode()->setPosition(6, 7, 1);
+    const ClassificationError error = scene.nextFrameError();
+    EXPECT_GT(error.shadowed, 100U);
+    EXPECT_LT(error.error, 0.5);
+    EXPECT_EQ(log.count("Lixel:"), 0U);
+}
+
+TEST(PointLight, SaysWhereOneMapIsNotEnough) {
+    Lamp lamp(1);
+    LogCollector log;
+    for (int i = 0; i < 3; ++i)
+        lamp.stage.drawFrame();
+    EXPECT_EQ(log.count("no shadow map for light 'Light'"), 1U);
+    EXPECT_GE(lamp.visibilityAt(Ogre::Vector3(8, 0, 0)), 128) << "without a map everything is lit";
+    // From above it is.
+    lamp.stage.light().getParentSceneNode()->setPosition(0, 3, 0);
+    EXPECT_LT(lamp.visibilityAt(Ogre::Vector3(8, 0, 0)), 128);
+}
+
+TEST(PointLight, SaysWhereFacesAreMissing) {
+    Lamp lamp(1);
+    LogCollector log;
+    showVisibility(lamp.stage);
+    setMaps(lamp.stage, 512, 2);
+    for (int i = 0; i < 3; ++i)
+        lamp.stage.drawFrame();
+    EXPECT_EQ(log.count("needs more shadow maps than it has"), 1U);
+    // Faces that show nothing need no map: the one upwards here.
+    setMaps(lamp.stage, 512, 5);
+    EXPECT_LT(lamp.error().error, 1.0);
+    EXPECT_EQ(log.count("Lixel:"), 1U);
+}
+
+TEST(SeveralMapsOfALight, AreOneOutsideOfIntegratedTechniques) {
+    BoxOnGround scene("", "Optimal");
+    LogCollector log;
+    scene.stage.setShadowSetup(emulated("Cascades-3").create());
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
+    manager.setShadowTextureSettings(1024, 3, Ogre::PF_FLOAT32_R);
+    for (int i = 0; i < 3; ++i)
+        scene.stage.drawFrame();
+    EXPECT_EQ(log.count("has 3 shadow textures"), 1U);
+    EXPECT_EQ(log.count("Lixel:"), 1U);
+    EXPECT_LT(scene.nextFrameError().error, 0.5);
+}
+
+} // namespace
+} // namespace Lixel::Tests
