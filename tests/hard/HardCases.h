@@ -23,6 +23,8 @@ struct HardCase {
     std::function<void(HardScene&)> repair = {};
     /// Whether nothing that the viewer sees is in shadow: what counts is that it is survived.
     bool nothingShadowed = false;
+    /// Maps that the light needs; OGRE's setups have one use for one.
+    std::size_t maps = 1;
     /// Why Lixel's own setups are known to fail; empty where they must not.
     std::string known = {};
 };

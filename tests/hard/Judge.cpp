@@ -77,8 +77,13 @@ std::vector<ShadowedPoint> findShadowed(HardScene& scene, const Vector3d& wsOrig
         double distance = 0.0;
         oracle.firstCasters({&ray, 1}, CasterFaces::Fronts, {&distance, 1});
         if (!std::isfinite(distance)) continue;
+        // In a map of small texels or a scene of a million units the offset is a visible length.
+        // What counts is the caster on the point's very own ray.
+        ray.origin = point.position + oracle.rayOffset() * towards;
+        oracle.firstCasters({&ray, 1}, CasterFaces::Fronts, {&distance, 1});
+        if (!std::isfinite(distance)) continue;
         shadowed.push_back(
-            {point.position, point.position + distance * towards, -towards, tolerance});
+            {point.position, ray.origin + distance * towards, -towards, tolerance});
     }
     return shadowed;
 }
@@ -140,6 +145,17 @@ const ProbedCaster* casterAt(const ProbedMap& map, const Vector3d& ws, double di
     return found;
 }
 
+/// The map that a receiver at that point of the world reads.
+const ProbedMap& servingMap(const std::vector<ProbedMap>& maps, const Vector3d& ws) {
+    const auto share = [&](const ProbedMap& map) {
+        return map.wsShare.dot((ws - map.wsBase).homogeneous().transpose());
+    };
+    const ProbedMap* serving = &maps.front();
+    for (const ProbedMap& map : maps)
+        if (share(map) > share(*serving)) serving = &map;
+    return *serving;
+}
+
 bool isServed(const ProbedMap& map, const Vector3d& ws) {
     const Vector4d position = (ws - map.wsFitOrigin).homogeneous();
     return std::all_of(map.wsServed.begin(), map.wsServed.end(),
@@ -162,19 +178,26 @@ std::size_t countShadowed(HardScene& scene) {
     return findShadowed(scene, toEigen(scene.origin)).size();
 }
 
-Losses judge(HardScene& scene, const ProbedMap& map, const MapUse& use) {
+Losses judge(HardScene& scene, const std::vector<ProbedMap>& maps, const MapUse& use) {
     const Vector3d wsOrigin = toEigen(scene.origin);
-    const Matrix4d receivers = map.receivers.relativeTo(wsOrigin);
     Losses losses;
-    losses.finite = receivers.allFinite();
-    for (const ProbedCaster& caster : map.casters)
-        losses.finite = losses.finite && caster.clipFromObject.allFinite();
+    for (const ProbedMap& map : maps) {
+        losses.finite = losses.finite && map.receivers.clipFromBase.allFinite();
+        for (const ProbedCaster& caster : map.casters)
+            losses.finite = losses.finite && caster.clipFromObject.allFinite();
+    }
     const std::vector<ShadowedPoint> points = findShadowed(scene, wsOrigin);
     losses.shadowed = points.size();
     if (points.empty() || !losses.finite) return losses;
 
     const double share = 100.0 / static_cast<double>(points.size());
     for (const ShadowedPoint& point : points) {
+        const ProbedMap& map = servingMap(maps, wsOrigin + point.receiver);
+        if (!hasMap(map.reason)) {
+            losses.outside += share;
+            continue;
+        }
+        const Matrix4d receivers = map.receivers.relativeTo(wsOrigin);
         if (!isServed(map, wsOrigin + point.receiver)) {
             losses.unserved += share;
             continue;

@@ -33,12 +33,13 @@ struct MapUse {
     double greatestApart = 1.0; ///< texels between two points of one light ray
 };
 
-/** Checks a map against the exact shadows of what the viewer sees.
+/** Checks a light's maps against the exact shadows of what the viewer sees: each point in the map
+    that serves it.
 
     Truth is ray-traced; all that follows is done in double, with the matrices of floats that
     programs are handed. @see ProbedMap
 */
-Losses judge(HardScene& scene, const ProbedMap& map, const MapUse& use);
+Losses judge(HardScene& scene, const std::vector<ProbedMap>& maps, const MapUse& use);
 
 /// How many points that the viewer sees are in shadow.
 std::size_t countShadowed(HardScene& scene);

@@ -158,12 +158,31 @@ std::vector<HardCase> lightCases() {
         s.addBox({8, 12, 0}, {2, 2, 2});
         s.spot({6.9F, 12, 0}, {-5, 0, 0}, 90);
     });
-    HardCase* const point = add("point light", [](HardScene& s) {
+    const auto lamp = [](const Ogre::Vector3& position) {
+        return [position](HardScene& s) {
+            s.addField();
+            s.spot(position, {0, 0, 0}, 90);
+            s.light->setType(Ogre::Light::LT_POINT);
+        };
+    };
+    add("point light", lamp({6, 10, 0}));
+    add("point light, six maps", lamp({6, 10, 0}))->maps = 6;
+    add("point light among the boxes", lamp({4, 2, -1}))->maps = 6;
+    add("point light at the viewer", lamp({0.2F, 8, 16}))->maps = 6;
+    add("point light on the ground", lamp({4, 0.01F, -1}))->maps = 6;
+    add("point light in a corner between faces", lamp({3, 3, 3}))->maps = 6;
+    HardCase* const inside = add("point light in a room", [](HardScene& s) {
         s.addField();
-        s.spot({6, 10, 0}, {0, 0, 0}, 90);
+        for (const float side : {-1.0F, 1.0F}) {
+            s.addBox({side * 30, 10, 0}, {1, 20, 60});
+            s.addBox({0, 10, side * 30}, {60, 20, 1});
+        }
+        s.addBox({0, 20, 0}, {60, 1, 60});
+        s.spot({2, 8, 1}, {0, 0, 0}, 90);
         s.light->setType(Ogre::Light::LT_POINT);
     });
-    point->known = "no single map";
+    inside->maps = 6;
+    add("spot of 220 degrees", fieldUnderSpot({3, 3, 3}, {0, 0, 0}, 220))->maps = 6;
     return cases;
 }
 

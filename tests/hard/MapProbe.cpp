@@ -90,8 +90,9 @@ MapProbe::~MapProbe() {
 }
 
 void MapProbe::shadowMapFitted(const ShadowMap& fitted) {
-    if (&fitted.light != mScene.light || fitted.iteration != 0) return;
-    ProbedMap& probed = map.emplace();
+    if (&fitted.light != mScene.light) return;
+    if (fitted.iteration == 0) maps.clear();
+    ProbedMap& probed = maps.emplace_back();
     probed.reason = fitted.fit.reason;
     probed.wsServed.assign(fitted.fit.wsServed.begin(),
                            fitted.fit.wsServed.begin() +
@@ -101,6 +102,11 @@ void MapProbe::shadowMapFitted(const ShadowMap& fitted) {
     probed.height = fitted.height;
     const bool relative = mScene.manager().getCameraRelativeRendering();
     if (relative) probed.wsBase = toEigen(fitted.viewer.getDerivedPosition());
+    Eigen::Affine3d originFromBase = Eigen::Affine3d::Identity();
+    originFromBase.translation() = probed.wsBase - fitted.wsOrigin;
+    probed.wsShare = Eigen::RowVector4d(fitted.part.wsRow.transpose() * originFromBase.matrix())
+                         .cast<float>()
+                         .cast<double>();
     probed.receivers = mLixel ? fittedMatrix(fitted, relative)
                               : projectorMatrix(fitted.shadowCamera, fitted.viewer, relative);
     if (!fitted.fit.hasMap()) return;

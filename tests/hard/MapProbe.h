@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include <optional>
 #include <vector>
 
 namespace Lixel::Tests {
@@ -40,12 +39,15 @@ struct ProbedMap {
     Eigen::Vector3d wsBase = Eigen::Vector3d::Zero();
     /// Half spaces n . x + d >= 0 as (n, d), relative to wsFitOrigin: what the map serves.
     std::vector<Eigen::Vector4d> wsServed;
+    /// Of the light's maps, that whose row times a position relative to wsBase is the greatest
+    /// serves it.
+    Eigen::RowVector4d wsShare = Eigen::RowVector4d::Zero();
     Eigen::Vector3d wsFitOrigin = Eigen::Vector3d::Zero(); ///< world coordinates
     int width = 0;                                         ///< texels
     int height = 0;                                        ///< texels
 };
 
-/** Keeps the last map of a scene's light.
+/** Keeps the last maps of a scene's light.
 
     @param lixel whether the setup is Lixel's, whose receivers are handed their own matrix; those of
     OGRE's setups get OGRE's texture_viewproj_matrix
@@ -57,8 +59,8 @@ public:
     MapProbe(const MapProbe&) = delete;
     MapProbe& operator=(const MapProbe&) = delete;
 
-    /// Of the last frame; none where no setup was asked for a map.
-    std::optional<ProbedMap> map;
+    /// Of the last frame, in the order of their textures; none where no setup was asked for any.
+    std::vector<ProbedMap> maps;
 
 private:
     void shadowMapFitted(const ShadowMap& fitted) override;
