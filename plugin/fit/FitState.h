@@ -27,7 +27,7 @@ struct FitState {
     FocusScratch scratch;
     FocusRegion region;
     Polygon2 warped;
-    ViewSampleScratch sampling;
+    ViewRays viewRays;
     std::vector<ViewSample> samples;
     /// The focus region's hull with few vertices, for evaluating many warps.
     Polygon2 simpleHull;

@@ -15,13 +15,12 @@ void TexelExtent::reset(const std::vector<ViewSample>& samples, const Polygon2& 
         if (column->size() < mCount) column->resize(mCount);
     for (Eigen::Index i = 0; i < mCount; ++i) {
         const ViewSample& sample = samples[static_cast<std::size_t>(i)];
-        const Eigen::Matrix2d ndcFromLi = sample.liFromNdc.inverse();
         mX[i] = sample.liPoint.x() - centre.x();
         mY[i] = sample.liPoint.y() - centre.y();
-        mXx[i] = ndcFromLi(0, 0);
-        mXy[i] = ndcFromLi(1, 0);
-        mYx[i] = ndcFromLi(0, 1);
-        mYy[i] = ndcFromLi(1, 1);
+        mXx[i] = sample.ndcFromLi(0, 0);
+        mXy[i] = sample.ndcFromLi(1, 0);
+        mYx[i] = sample.ndcFromLi(0, 1);
+        mYy[i] = sample.ndcFromLi(1, 1);
     }
 }
 

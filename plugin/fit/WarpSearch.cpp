@@ -105,7 +105,8 @@ WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples)
       mNow(describe(context)) {
     FitState& state = context.state;
     const FocusRegion& region = context.region;
-    sampleView(context.problem, context.image, region, samples, state.sampling, state.samples);
+    sampleView(context.problem, context.image, region, state.scratch.receiversInView, samples,
+               state.viewRays, state.samples);
     // A camera cut makes it another region, which the last choice has nothing to do with.
     if (state.search) mChange = changeBetween(mNow, *state.search);
     if (!(mChange < AnotherRegion)) state.search.reset();

@@ -97,9 +97,9 @@ RC_GTEST_PROP(TexelExtent, IsTheMeanOfItsDefinition, ()) {
         // Somewhere between a vertex and the centre.
         const Vec2& vertex = region.hull[dice.below(region.hull.size())];
         sample.liPoint = region.centre + dice.in(0.0, 1.0) * (vertex - region.centre);
-        for (double& entry : sample.liFromNdc.reshaped())
+        for (double& entry : sample.ndcFromLi.reshaped())
             entry = dice.in(-1.0, 1.0);
-        RC_PRE(std::abs(sample.liFromNdc.determinant()) > 1e-3);
+        RC_PRE(std::abs(sample.ndcFromLi.determinant()) > 1e-3);
     }
     const auto warped = [&](const Vec2& li) {
         const Vec2 q = li - region.centre;
@@ -126,7 +126,7 @@ RC_GTEST_PROP(TexelExtent, IsTheMeanOfItsDefinition, ()) {
                 (texel(sample.liPoint + step) - texel(sample.liPoint - step)) / (2.0 * Step);
         }
         sum += std::sqrt(texelFromLi.inverse().norm() *
-                         (texelFromLi * sample.liFromNdc).inverse().norm());
+                         (sample.ndcFromLi * texelFromLi.inverse()).norm());
     }
     TexelExtent extent;
     extent.reset(samples, region.hull, region.centre);
