@@ -125,24 +125,6 @@ constexpr std::array<double, 2> CellCounts = {static_cast<double>(ViewRays::Colu
     store(axis, &rays.axis[first]);
 }
 
-/// Calls `visit` for each ray of the cells that goes through the bounds in the picture.
-template <typename Visit>
-[[gnu::always_inline]] inline void forEachRay(const Rays& rays, const Cells& cells,
-                                              std::size_t lane, const Visit& visit) {
-    const auto firstColumn = static_cast<std::size_t>(cells.first[0][lane]);
-    const auto lastColumn = static_cast<std::size_t>(cells.last[0][lane]);
-    const auto lastRow = static_cast<std::size_t>(cells.last[1][lane]);
-    for (auto row = static_cast<std::size_t>(cells.first[1][lane]); row <= lastRow; ++row)
-        for (std::size_t column = firstColumn; column <= lastColumn; ++column) {
-            const std::size_t ray = row * ViewRays::Columns + column;
-            if (rays.ndc[0][ray] >= cells.lower[0][lane] &&
-                rays.ndc[0][ray] <= cells.upper[0][lane] &&
-                rays.ndc[1][ray] >= cells.lower[1][lane] &&
-                rays.ndc[1][ray] <= cells.upper[1][lane])
-                visit(ray);
-        }
-}
-
 /// Shortens the rays of those cells to the box.
 [[gnu::always_inline]] inline void meetCells(const Cells& cells, std::size_t lane,
                                              const std::array<double, 3>& lower,
@@ -151,15 +133,21 @@ template <typename Visit>
     const auto lastColumn = static_cast<std::size_t>(cells.last[0][lane]);
     const auto firstRow = static_cast<std::size_t>(cells.first[1][lane]);
     const auto lastRow = static_cast<std::size_t>(cells.last[1][lane]);
-    // Most small bodies lie beside the few rays of their cells.
-    if (lastColumn - firstColumn <= 1 && lastRow - firstRow <= 1) {
-        bool any = false;
-        forEachRay(rays, cells, lane, [&any](std::size_t) { any = true; });
-        if (!any) return;
-    }
+    const Four left = Four{} + cells.lower[0][lane];
+    const Four right = Four{} + cells.upper[0][lane];
+    const Four bottom = Four{} + cells.lower[1][lane];
+    const Four top = Four{} + cells.upper[1][lane];
     for (std::size_t row = firstRow; row <= lastRow; ++row)
-        for (std::size_t column = firstColumn / 4 * 4; column <= lastColumn; column += 4)
-            meetFour(lower, upper, rays, row * ViewRays::Columns + column);
+        for (std::size_t column = firstColumn / 4 * 4; column <= lastColumn; column += 4) {
+            const std::size_t first = row * ViewRays::Columns + column;
+            Four x;
+            Four y;
+            load(&rays.ndc[0][first], x);
+            load(&rays.ndc[1][first], y);
+            // Most small bodies lie beside the few rays of their cells.
+            if (bitsOf((x >= left) & (x <= right) & (y >= bottom) & (y <= top)) != 0)
+                meetFour(lower, upper, rays, first);
+        }
 }
 
 LIXEL_VECTOR_CLONES
@@ -277,7 +265,7 @@ void ViewRays::meet(const Surfel& disc) {
     }
     Cells cells;
     if (findCells(centres, halves, clipRows(mClipFromWorld), cells) == 0) return;
-    forEachRay(rays, cells, 0, [&](std::size_t i) {
+    const auto meetOne = [&](std::size_t i) {
         const Vec3 origin(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
         const Vec3 direction(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
         const double towards = -direction.dot(disc.normal);
@@ -290,7 +278,13 @@ void ViewRays::meet(const Surfel& disc) {
         rays.axis[i] = Disc;
         for (std::size_t axis = 0; axis < 3; ++axis)
             rays.normal[axis][i] = disc.normal[static_cast<Eigen::Index>(axis)];
-    });
+    };
+    const auto lastColumn = static_cast<std::size_t>(cells.last[0][0]);
+    const auto lastRow = static_cast<std::size_t>(cells.last[1][0]);
+    for (auto row = static_cast<std::size_t>(cells.first[1][0]); row <= lastRow; ++row)
+        for (auto column = static_cast<std::size_t>(cells.first[0][0]); column <= lastColumn;
+             ++column)
+            meetOne(row * Columns + column);
 }
 
 VisiblePoint ViewRays::point(std::size_t ray) const {
