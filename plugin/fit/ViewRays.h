@@ -51,6 +51,8 @@ public:
     /// Shortens rays to the disc, where they see its front.
     void meet(const Surfel& disc);
 
+    /// Where a ray goes through the picture, in device coordinates.
+    Vec2 ndc(std::size_t ray) const { return {mRays[0].ndc[0][ray], mRays[0].ndc[1][ray]}; }
     bool hit(std::size_t ray) const { return std::isfinite(mRays[0].nearest[ray]); }
     /// What a ray that hit something met first.
     VisiblePoint point(std::size_t ray) const;
