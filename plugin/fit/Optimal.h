@@ -8,7 +8,8 @@ namespace Lixel {
 struct OptimalOptions {
     /// Samples of what the viewer sees, at most, by which warps are judged. At least 1.
     int samples = 64;
-    /// Warps judged in each frame, at least 8.
+    /// Warps judged where nothing is known of the frame before, at least 8. A frame that follows
+    /// another goes on from there with a quarter, and at least 8.
     int evaluations = 32;
 };
 

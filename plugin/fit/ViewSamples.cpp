@@ -33,7 +33,7 @@ std::array<double, 4> parts(const Vec4& v) {
 }
 
 Judgement judgementOf(const ShadowProblem& problem, const LightImage& image,
-                      const FocusRegion& region) {
+                      const Polygon2& liHull) {
     Mat4 lsFromWs = Mat4::Identity();
     lsFromWs.topLeftCorner<3, 3>() = image.lsFromWs();
     lsFromWs.topRightCorner<3, 1>() = -image.lsFromWs() * image.wsEye();
@@ -50,7 +50,7 @@ Judgement judgementOf(const ShadowProblem& problem, const LightImage& image,
             .depthFromLs = parts(-viewFromLs.row(2)),
             .greatestDepth = distance > 0.0 ? distance : std::numeric_limits<double>::infinity(),
             .nearDistance = problem.light.nearDistance,
-            .liHull = region.liHull};
+            .liHull = liHull};
 }
 
 /// Four points and their normals, in the world.
@@ -167,6 +167,13 @@ public:
     bool complete() const { return mSamples.size() >= mMost; }
 
     void add(const VisiblePoint& point) {
+        // Many points face away from a directional light: they need not be judged further.
+        const std::array<double, 4>& light = mJudgement.lsFromWs[2];
+        if (mJudgement.directional &&
+            !(light[0] * point.wsNormal.x() + light[1] * point.wsNormal.y() +
+                  light[2] * point.wsNormal.z() >=
+              LeastFacing))
+            return;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             mPoints.ws[axis][mCount] = point.ws[static_cast<Eigen::Index>(axis)];
             mPoints.wsNormal[axis][mCount] = point.wsNormal[static_cast<Eigen::Index>(axis)];
@@ -235,10 +242,10 @@ void traceReceivers(const ShadowProblem& problem, const LightImage& image,
 
 } // namespace
 
-void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
+void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
                 const BoxSet& receiversInView, std::size_t most, ViewRays& rays,
                 std::vector<ViewSample>& samples) {
-    const Judgement judgement = judgementOf(problem, image, region);
+    const Judgement judgement = judgementOf(problem, image, liHull);
     Collector collector(judgement, most, samples);
     const std::span<const VisiblePoint> points = problem.visiblePoints;
     if (!points.empty()) {

@@ -24,11 +24,12 @@ struct ViewSample {
     Where there are more points than wanted, they are taken in an order of which each beginning is
     spread over all of them, until there are enough: so one that comes or goes changes few samples.
 
+    @param liHull of the focus region, or a little more; samples lie within it
     @param receiversInView the receivers that may be in view and lit, as the focus region's search
     left them
     @param most samples to keep
 */
-void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
+void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
                 const BoxSet& receiversInView, std::size_t most, ViewRays& rays,
                 std::vector<ViewSample>& samples);
 

@@ -42,7 +42,7 @@ std::vector<ViewSample> sample(const Scene& scene, std::span<const KnownSurface>
     findFocusRegion(problem, image, scratch, region);
     ViewRays rays;
     std::vector<ViewSample> samples;
-    sampleView(problem, image, region, scratch.receiversInView, 1000, rays, samples);
+    sampleView(problem, image, region.liHull, scratch.receiversInView, 1000, rays, samples);
     return samples;
 }
 
