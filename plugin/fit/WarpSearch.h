@@ -75,6 +75,14 @@ public:
     Vec2 spread(const Vec2& warp) const;
 
 private:
+    /// Side of the first simplex, as a change of spread: a third more or less at one end.
+    static constexpr double FirstStep = 0.3;
+    /// A simplex smaller than this is done: it tells warps apart whose texels differ by a
+    /// hundredth.
+    static constexpr double LeastStep = 0.02;
+    /// Evaluations that complete a simplex and move it once.
+    static constexpr int LeastSimplex = 4;
+
     /// One run of the simplex method, from a simplex of side `step`; counts evaluations down.
     Judged simplexFrom(const Judged& start, double step, int& evaluations);
     /// A spread as a direction in the world.

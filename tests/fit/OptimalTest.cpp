@@ -268,6 +268,43 @@ TEST(Optimal, GarbageOptionsGiveAFiniteMap) {
         }
 }
 
+TEST(Optimal, FollowingFindsWhatSearchingAnewFinds) {
+    double sum = 0.0;
+    double worst = 0.0;
+    int count = 0;
+    for (const double turn : {0.0, 0.5, 1.3, 2.2, 3.1})
+        for (const double elevation : {0.2, 0.7, 1.3}) {
+            Scene scene = outdoors();
+            scene.light.wsDirection =
+                Vec3(std::cos(elevation) * std::sin(turn), -std::sin(elevation),
+                     std::cos(elevation) * std::cos(turn));
+            FitState followed;
+            ShadowFit fit;
+            // The viewer turns by a fifth of a degree in each frame.
+            for (int frame = 0; frame <= 60; ++frame) {
+                const double heading = 0.0035 * (frame - 60);
+                scene.viewer.viewFromWorld =
+                    lookAlong(Vec3::Zero(), Vec3(std::sin(heading), -0.1, -std::cos(heading)));
+                fit = fitOptimal(scene.problem(), {}, followed);
+                ASSERT_TRUE(fit.hasMap()) << fit.reason;
+            }
+            FitState fresh;
+            const ShadowFit anew = fitOptimal(scene.problem(), {}, fresh);
+            FitState other;
+            (void)withContext(scene, other, [&](const WarpContext& context) {
+                WarpSearch search(context, 64);
+                const double ratio =
+                    search(search.spread(fit.liWarp)) / search(search.spread(anew.liWarp));
+                sum += std::log(ratio);
+                worst = std::max(worst, ratio);
+                ++count;
+                return Vec2(0.0, 0.0);
+            });
+        }
+    EXPECT_LT(std::exp(sum / count), 1.02);
+    EXPECT_LT(worst, 1.2);
+}
+
 TEST(Optimal, ACameraCutIsFollowedAtOnce) {
     const Scene scene = outdoors();
     Scene before = scene;
