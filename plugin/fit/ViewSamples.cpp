@@ -53,10 +53,12 @@ Judgement judgementOf(const ShadowProblem& problem, const LightImage& image,
             .liHull = liHull};
 }
 
-/// Four points and their normals, in the world.
-struct FourPoints {
-    std::array<std::array<double, 4>, 3> ws;
-    std::array<std::array<double, 4>, 3> wsNormal;
+/// Points and their normals, in the world. So many at a time that none is read back in fours while
+/// it is still being written one by one, which the processor would wait for.
+constexpr std::size_t BatchSize = 16;
+struct Points {
+    std::array<std::array<double, BatchSize>, 3> ws;
+    std::array<std::array<double, BatchSize>, 3> wsNormal;
 };
 
 struct FourSamples {
@@ -75,18 +77,19 @@ struct FourSamples {
     result = (row[0] * x[0] + row[1] * x[1]) + row[2] * x[2];
 }
 
-/** Makes samples of points.
+/** Makes samples of four points.
     @return the lanes, as bits, of those that the light may shine on from their front, and shadows
    be cast on */
 LIXEL_VECTOR_CLONES
-unsigned judge(const Judgement& judgement, const FourPoints& points, FourSamples& samples) {
+unsigned judge(const Judgement& judgement, const Points& points, std::size_t first,
+               FourSamples& samples) {
     FourVectors ws;
     FourVectors wsNormal;
     FourVectors ls;
     FourVectors normal;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        load(points.ws[axis].data(), ws[axis]);
-        load(points.wsNormal[axis].data(), wsNormal[axis]);
+        load(&points.ws[axis][first], ws[axis]);
+        load(&points.wsNormal[axis][first], wsNormal[axis]);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         apply(judgement.lsFromWs[axis], ws, ls[axis]);
@@ -178,29 +181,33 @@ public:
             mPoints.ws[axis][mCount] = point.ws[static_cast<Eigen::Index>(axis)];
             mPoints.wsNormal[axis][mCount] = point.wsNormal[static_cast<Eigen::Index>(axis)];
         }
-        if (++mCount == 4) flush();
+        if (++mCount == BatchSize) flush();
     }
 
-    /// Adds what is left of the last four.
+    /// Makes samples of what is left.
     void flush() {
-        if (mCount == 0) return;
+        for (std::size_t first = 0; first < mCount && !complete(); first += 4)
+            addFour(first);
+        mCount = 0;
+    }
+
+private:
+    void addFour(std::size_t first) {
         FourSamples samples;
-        const unsigned lanes = judge(mJudgement, mPoints, samples);
-        for (std::size_t lane = 0; lane < mCount && !complete(); ++lane) {
+        const unsigned lanes = judge(mJudgement, mPoints, first, samples);
+        for (std::size_t lane = 0; first + lane < mCount && lane < 4 && !complete(); ++lane) {
             if ((lanes >> lane & 1) == 0) continue;
             ViewSample& sample = mSamples.emplace_back();
             sample.liPoint = {samples.liPoint[0][lane], samples.liPoint[1][lane]};
             sample.ndcFromLi << samples.ndcFromLi[0][lane], samples.ndcFromLi[1][lane],
                 samples.ndcFromLi[2][lane], samples.ndcFromLi[3][lane];
         }
-        mCount = 0;
     }
 
-private:
     const Judgement& mJudgement;
     std::size_t mMost;
     std::vector<ViewSample>& mSamples;
-    FourPoints mPoints{};
+    Points mPoints{};
     std::size_t mCount = 0;
 };
 
@@ -213,10 +220,12 @@ void visitSpread(std::size_t count, const Visit& visit) {
     // every index.
     constexpr double Golden = 0.6180339887498949;
     auto step = static_cast<std::size_t>(Golden * static_cast<double>(count));
-    while (std::gcd(step, count) != 1)
+    while (std::gcd(step, count) > 1)
         ++step;
-    for (std::size_t i = 0, at = 0; i < count && visit(at); ++i)
-        at = (at + step) % count;
+    for (std::size_t i = 0, at = 0; i < count && visit(at); ++i) {
+        at += step;
+        if (at >= count) at -= count;
+    }
 }
 
 /// Traces view rays against the receivers: their known surfaces, and the boxes of all others.
