@@ -19,9 +19,9 @@ struct OptimalOptions {
     that minimises "one combined measure of aliasing". This one does: samples of the viewer's
     picture that face the light, and the expected extent of a texel on them as a function of the
     warp (TexelExtent.h), searched over all directions and strengths, from along the view's
-    direction (golden section, then simplex), or from the last frame's best (simplex alone). Duels, lamps and lights
-    nearly along the view, where no warp along the view's direction is any good, get what there is
-    to gain; where nothing is, the map is uniform.
+    direction (golden section, then simplex), or from the last frame's best (simplex alone). Duels,
+    lamps and lights nearly along the view, where no warp along the view's direction is any good,
+    get what there is to gain; where nothing is, the map is uniform.
 
     Serves directional and spot lights, perspective and orthographic viewers. From frame to frame
     the choice is followed steadily, and at once after a camera cut.
