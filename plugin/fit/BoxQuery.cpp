@@ -1,18 +1,13 @@
 #include "fit/BoxQuery.h"
 
+#include "fit/Lanes.h"
 #include "fit/VectorClones.h"
 
 #include <bit>
-#include <cstdint>
-#include <cstring>
 
 namespace Lixel {
 namespace {
 
-/// Four lanes of a block: a register of AVX2, or two of SSE2. Vectors of GCC, as it does not find
-/// them in loops over arrays of eight.
-using Four = double __attribute__((vector_size(32)));
-using FourBits = std::uint64_t __attribute__((vector_size(32)));
 constexpr std::size_t Parts = BoxSet::BlockSize / 4;
 static_assert(BoxSet::BlockSize == 4 * Parts);
 
@@ -41,11 +36,6 @@ Reach reachOf(const Plane& plane, double extent) {
 }
 
 // Inlined into each clone, the following are compiled for its processor.
-
-[[gnu::always_inline]] inline void load(const BoxSet::Block::Lanes& lanes, std::size_t part,
-                                        Four& result) {
-    std::memcpy(&result, lanes.data() + 4 * part, sizeof(result));
-}
 
 /// Collects sign bits: a lane is negative once one of its values was.
 [[gnu::always_inline]] inline void collect(const Four& value, FourBits& negative) {
@@ -77,8 +67,8 @@ using Faces = std::array<std::array<std::array<Four, Parts>, 2>, 3>;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             Four centre;
             Four half;
-            load(block.centre[axis], part, centre);
-            load(block.halfExtents[axis], part, half);
+            load(block.centre[axis].data() + 4 * part, centre);
+            load(block.halfExtents[axis].data() + 4 * part, half);
             faces[axis][0][part] = centre - half;
             faces[axis][1][part] = centre + half;
         }
@@ -147,8 +137,8 @@ unsigned lanesInside(const BoxSet::Block& block, std::span<const Plane> planes) 
         std::array<Four, 3> centre;
         std::array<Four, 3> half;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            load(block.centre[axis], part, centre[axis]);
-            load(block.halfExtents[axis], part, half[axis]);
+            load(block.centre[axis].data() + 4 * part, centre[axis]);
+            load(block.halfExtents[axis].data() + 4 * part, half[axis]);
         }
         for (const Plane& plane : planes) {
             const double x = plane.normal.x();

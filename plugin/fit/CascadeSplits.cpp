@@ -32,8 +32,8 @@ bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
     // The rule sees the focus region of all slices together; the fit that it is for is not used.
     bool found = false;
     const auto look = [&](const WarpContext& context) {
-        sampleView(context.problem, context.image, context.region, Samples, state.sampling,
-                   state.samples);
+        sampleView(context.problem, context.image, context.region.liHull,
+                   state.scratch.receiversInView, Samples, state.viewRays, state.samples);
         double nearest = context.region.vsReceiverNear;
         double farthest = context.region.vsReceiverFar;
         if (!state.samples.empty()) {

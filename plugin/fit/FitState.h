@@ -10,6 +10,12 @@ namespace Lixel {
 struct SearchMemory {
     /// The spread, a vector of the light image, as a direction in the world.
     Vec3 wsSpread = Vec3::Zero();
+    /// The best that it knew of, which the spread settles towards; none where there was nothing to
+    /// judge by.
+    std::optional<Vec3> wsTarget;
+    /// How far around the target it looks next, and how often it has.
+    double step = 0.0;
+    int turn = 0;
     /// Lengths that do not depend on how light space is turned: the focus region's distance from
     /// the viewer, its perimeter, the farthest depth.
     Vec3 measures = Vec3::Zero();
@@ -27,7 +33,7 @@ struct FitState {
     FocusScratch scratch;
     FocusRegion region;
     Polygon2 warped;
-    ViewSampleScratch sampling;
+    ViewRays viewRays;
     std::vector<ViewSample> samples;
     /// The focus region's hull with few vertices, for evaluating many warps.
     Polygon2 simpleHull;

@@ -63,9 +63,10 @@ public:
     }
 
     void addAll(const BoxSet& receivers) {
-        keepReaching(receivers, mSeen.planes(), mScratch.kept);
+        keepReaching(receivers, mSeen.planes(), mScratch.receiversInView);
         addAllBut(
-            mScratch.kept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
+            mScratch.receiversInView,
+            [this](const BoxSet::Block& block) { return lanesWithin(block); },
             [this](const Box& box) {
                 const std::size_t revision = mScratch.receivers.revision();
                 const Vec2 lsRange = mLsRange;

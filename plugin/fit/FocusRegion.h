@@ -8,7 +8,9 @@ namespace Lixel {
 /// Scratch memory of focusing, kept between frames.
 struct FocusScratch {
     ClipScratch clip;
-    /// The boxes that are left to look at closely.
+    /// The receivers that may reach into what is in view and lit, and the casters that may reach
+    /// into what covers them.
+    BoxSet receiversInView;
     BoxSet kept;
     /// Half spaces that boxes are asked about.
     std::vector<Plane> planes;

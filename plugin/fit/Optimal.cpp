@@ -14,8 +14,8 @@ constexpr int LeastEvaluations = 8;
 constexpr int MostEvaluations = 4096;
 constexpr int MostSamples = 4096;
 
-/// Least spread that is probed beside the view's direction.
-constexpr double ProbedSpread = 0.7;
+/// Part of the evaluations that a frame takes which follows another.
+constexpr int FollowingPart = 4;
 
 /// Direction in which the view's rays run in the light image at the region's centre; zero where
 /// they do not, as for a light along the view.
@@ -25,45 +25,44 @@ Vec2 viewDirectionAt(const WarpContext& context) {
     return direction.head<2>() - direction.z() * context.region.liCentre;
 }
 
+/// Searches all directions and strengths.
+WarpSearch::Judged bestOfAll(const WarpContext& context, WarpSearch& search, int evaluations) {
+    WarpSearch::Judged best;
+    const auto consider = [&](const WarpSearch::Judged& judged) {
+        if (judged.cost < best.cost) best = judged;
+    };
+    // Along the view first, where near and far differ most.
+    int left = evaluations;
+    Vec2 direction = viewDirectionAt(context);
+    if (direction.norm() > 0.0) {
+        direction.normalize();
+        consider(search.along(direction, WarpSearch::GreatestSpread, evaluations / 3));
+        left -= evaluations / 3;
+    } else {
+        direction = Vec2::UnitX();
+    }
+    // Elsewhere there may be a better place to start from, above all where that found little.
+    const double length = std::max(best.spread.norm(), WarpSearch::ProbedSpread);
+    const int probes = left / 3;
+    for (int i = 1; i <= probes; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / (probes + 1);
+        consider(search.judge(
+            length * Vec2(std::cos(angle) * direction.x() - std::sin(angle) * direction.y(),
+                          std::sin(angle) * direction.x() + std::cos(angle) * direction.y())));
+    }
+    return search.around(best, left - probes);
+}
+
 WarpChoice optimalWarp(const WarpContext& context, const OptimalOptions& options) {
     WarpSearch search(context,
                       static_cast<std::size_t>(std::clamp(options.samples, 1, MostSamples)));
-    Vec2 best = Vec2::Zero();
+    WarpSearch::Judged best;
     if (search.usable()) {
         const int evaluations = std::clamp(options.evaluations, LeastEvaluations, MostEvaluations);
-        double least = 1.0;
-        const auto consider = [&](const Vec2& spread) {
-            const double cost = search(spread);
-            if (cost < least) {
-                least = cost;
-                best = spread;
-            }
-        };
-        // Along the view first, where near and far differ most.
-        int left = evaluations;
-        Vec2 direction = viewDirectionAt(context);
-        if (direction.norm() > 0.0) {
-            direction.normalize();
-            consider(search.along(direction, WarpSearch::GreatestSpread, evaluations / 3));
-            left -= evaluations / 3 + 1;
-        } else {
-            direction = Vec2::UnitX();
-        }
-        if (const auto last = search.last()) {
-            consider(*last);
-            --left;
-        }
-        // Elsewhere there may be a better place to start from, above all where that found little.
-        const double length = std::max(best.norm(), ProbedSpread);
-        const int probes = left / 3;
-        for (int i = 1; i <= probes; ++i) {
-            const double angle = 2.0 * std::numbers::pi * i / (probes + 1);
-            consider(length *
-                     Vec2(std::cos(angle) * direction.x() - std::sin(angle) * direction.y(),
-                          std::sin(angle) * direction.x() + std::cos(angle) * direction.y()));
-        }
-        left -= probes;
-        consider(search.around(best, left - 1));
+        const auto target = search.target();
+        best = target
+                   ? search.follow(*target, std::max(evaluations / FollowingPart, LeastEvaluations))
+                   : bestOfAll(context, search, evaluations);
     }
     return {search.warp(search.settle(best)), FitReason::None};
 }

@@ -8,7 +8,8 @@ namespace Lixel {
 struct OptimalOptions {
     /// Samples of what the viewer sees, at most, by which warps are judged. At least 1.
     int samples = 64;
-    /// Warps judged in each frame, at least 8.
+    /// Warps judged where nothing is known of the frame before, at least 8. A frame that follows
+    /// another goes on from there with a quarter, and at least 8.
     int evaluations = 32;
 };
 
@@ -18,9 +19,9 @@ struct OptimalOptions {
     that minimises "one combined measure of aliasing". This one does: samples of the viewer's
     picture that face the light, and the expected extent of a texel on them as a function of the
     warp (TexelExtent.h), searched over all directions and strengths, from along the view's
-    direction (golden section) and from the last frame's choice (simplex). Duels, lamps and lights
-    nearly along the view, where no warp along the view's direction is any good, get what there is
-    to gain; where nothing is, the map is uniform.
+    direction (golden section, then simplex), or from the last frame's best (simplex alone). Duels,
+    lamps and lights nearly along the view, where no warp along the view's direction is any good,
+    get what there is to gain; where nothing is, the map is uniform.
 
     Serves directional and spot lights, perspective and orthographic viewers. From frame to frame
     the choice is followed steadily, and at once after a camera cut.

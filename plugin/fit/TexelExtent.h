@@ -3,7 +3,23 @@
 #include "fit/Polygon2.h"
 #include "fit/ViewSamples.h"
 
+#include <array>
+
 namespace Lixel {
+
+/// Two sides of a map's rectangle, as vectors.
+struct MapSides {
+    Vec2 u = Vec2::Zero();
+    Vec2 v = Vec2::Zero();
+};
+
+/** The sides of the smallest rectangle around a convex polygon; zero around a point.
+
+    All edges are tried, four at once: for few vertices that is faster than calipers turned about
+    them, which wait for one comparison after the other.
+    @param count vertices, a multiple of four; one more than that is read. Fill up with the first.
+*/
+MapSides smallestMap(const double* x, const double* y, std::size_t count);
 
 /** How large a map's texels are on average over the samples, as a function of the warp: Chong's
    "one combined measure of aliasing" (2006, §3.3), to be minimised.
@@ -26,13 +42,24 @@ public:
     double operator()(const Vec2& warp);
 
 private:
-    Vec2 mCentre = Vec2::Zero();
-    Polygon2 mHull;
-    Polygon2 mWarped;
-    // Samples as arrays, which only grow: position about the centre, and d(device) / d(light image)
-    // by columns.
-    Eigen::ArrayXd mX, mY, mXx, mXy, mYx, mYy;
-    Eigen::Index mCount = 0;
+    /// Numbers of samples beside each other: position about the centre, and d(device x, y) /
+    /// d(light image x, y) by rows. They only grow.
+    struct SampleColumns {
+        std::vector<double> x, y;
+        std::array<std::vector<double>, 4> ndcFromLi;
+        std::array<std::vector<double>*, 6> all() {
+            return {&x, &y, &ndcFromLi[0], &ndcFromLi[1], &ndcFromLi[2], &ndcFromLi[3]};
+        }
+    };
+
+    static double sumOver(const SampleColumns& columns, std::size_t count, const Vec2& warp,
+                          const MapSides& map);
+
+    SampleColumns mSamples;
+    std::size_t mCount = 0;
+    // The hull about the centre, and warped.
+    std::size_t mVertices = 0;
+    std::vector<double> mHullX, mHullY, mWarpedX, mWarpedY;
 };
 
 } // namespace Lixel

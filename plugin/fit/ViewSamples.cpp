@@ -1,252 +1,294 @@
 #include "fit/ViewSamples.h"
 
-#include "fit/LowDiscrepancy.h"
+#include "fit/Lanes.h"
 #include "fit/ShadowParts.h"
+#include "fit/VectorClones.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <algorithm>
-#include <limits>
+#include <numeric>
 
 namespace Lixel {
 namespace {
 
-/// View rays in rows and columns, one per cell of the picture: so many that a focus region which
-/// fills but a tenth of the picture still gets its samples.
-constexpr int Columns = 20;
-constexpr int Rows = 18;
-
 /// Least cosine between normal and light.
 constexpr double LeastFacing = 0.05;
 
-/// The range of cells, out of `count`, that the device coordinates lower to upper reach into.
-std::pair<int, int> cells(double lower, double upper, int count) {
-    const auto cell = [&](double ndc) {
-        const double at = (ndc + 1.0) / 2.0 * count;
-        if (!(at > 0.0)) return 0; // a NaN too, which any cell is as good for
-        return at < count ? static_cast<int>(at) : count - 1;
-    };
-    return {cell(lower), cell(upper)};
+/// What is asked of every point, prepared for four at once.
+struct Judgement {
+    bool directional;
+    /// Light space from the world: a rotation and an offset.
+    std::array<std::array<double, 4>, 3> lsFromWs;
+    /// The same of the viewer's clip space from light space: rows x, y and w.
+    std::array<std::array<double, 4>, 3> clipFromLs;
+    /// Depth in front of the viewer of a light-space point, and how deep shadows reach.
+    std::array<double, 4> depthFromLs;
+    double greatestDepth;
+    double nearDistance;
+    /// Distances from the planes around the problem's part, of light-space points.
+    std::array<std::array<double, 4>, 7> boundsFromLs{};
+    std::size_t boundCount = 0;
+    std::span<const Vec2> liHull;
+};
+
+std::array<double, 4> parts(const Vec4& v) {
+    return {v.x(), v.y(), v.z(), v.w()};
 }
 
-/// Bounds of the box in one device coordinate, whose numerator is x and denominator w, each given
-/// as its value at the centre and its reach over the box.
-std::pair<double, double> bounds(double x, double xReach, double wLeast, double wGreatest) {
-    const double lower = x - xReach;
-    const double upper = x + xReach;
-    return {lower / (lower < 0.0 ? wLeast : wGreatest), upper / (upper > 0.0 ? wLeast : wGreatest)};
-}
-
-/// Shortens the ray to the box if that is nearer than what it met before.
-void meet(const Box& box, ViewSampleScratch::Ray& ray) {
-    const Vec3 a = (box.centre - box.halfExtents - ray.origin).cwiseProduct(ray.inverse);
-    const Vec3 b = (box.centre + box.halfExtents - ray.origin).cwiseProduct(ray.inverse);
-    const Vec3 in = a.cwiseMin(b);
-    const Vec3 out = a.cwiseMax(b);
-    Eigen::Index entry = 0;
-    Eigen::Index exit = 0;
-    const double tIn = in.maxCoeff(&entry);
-    const double tOut = out.minCoeff(&exit);
-    if (!(tIn <= tOut) || !(tOut >= 0.0)) return;
-    const bool inside = tIn < 0.0;
-    const double t = inside ? tOut : tIn;
-    if (!(t < ray.nearest)) return;
-    const Eigen::Index axis = inside ? exit : entry;
-    ray.nearest = t;
-    ray.normal = Vec3::Zero();
-    ray.normal[axis] = ray.direction[axis] > 0.0 ? -1.0 : 1.0;
-}
-
-/// Shortens the ray to the disc if that is nearer, and seen from its front.
-void meet(const Surfel& disc, ViewSampleScratch::Ray& ray) {
-    const double towards = -ray.direction.dot(disc.normal);
-    if (!(towards > 0.0)) return;
-    const Vec3 away = ray.origin - disc.centre;
-    const double t = away.dot(disc.normal) / towards;
-    if (!(t >= 0.0) || !(t < ray.nearest)) return;
-    if ((away + t * ray.direction).squaredNorm() > disc.radius * disc.radius) return;
-    ray.nearest = t;
-    ray.normal = disc.normal;
-}
-
-/// One ray through each cell of the picture. Directions have any length.
-void castRays(const Mat4& worldFromClip, std::vector<ViewSampleScratch::Ray>& rays) {
-    const Vec4 nearMiddle = worldFromClip.col(3) - worldFromClip.col(2);
-    const Vec4 farMiddle = worldFromClip.col(3) + worldFromClip.col(2);
-    rays.resize(static_cast<std::size_t>(Rows) * Columns);
-    std::size_t index = 0;
-    for (int row = 0; row < Rows; ++row)
-        for (int column = 0; column < Columns; ++column, ++index) {
-            // Off the middle, so that rays do not line up with rows of objects.
-            const Vec2 cell = Vec2(column, row) + lowDiscrepancy(index);
-            ViewSampleScratch::Ray& ray = rays[index];
-            ray.ndc = {2.0 * cell.x() / Columns - 1.0, 2.0 * cell.y() / Rows - 1.0};
-            const Vec4 across =
-                worldFromClip.col(0) * ray.ndc.x() + worldFromClip.col(1) * ray.ndc.y();
-            const Vec4 nearPoint = nearMiddle + across;
-            const Vec4 farPoint = farMiddle + across;
-            ray.origin = nearPoint.head<3>() / nearPoint.w();
-            // Also right where the far point is at infinity.
-            ray.direction = farPoint.head<3>() - farPoint.w() * ray.origin;
-            ray.inverse = ray.direction.cwiseInverse();
-            ray.nearest = std::numeric_limits<double>::infinity();
+Judgement judgementOf(const ShadowProblem& problem, const LightImage& image,
+                      const Polygon2& liHull) {
+    Mat4 lsFromWs = Mat4::Identity();
+    lsFromWs.topLeftCorner<3, 3>() = image.lsFromWs();
+    lsFromWs.topRightCorner<3, 1>() = -image.lsFromWs() * image.wsEye();
+    Mat4 wsFromLs = Mat4::Identity();
+    wsFromLs.topLeftCorner<3, 3>() = image.lsFromWs().transpose();
+    wsFromLs.topRightCorner<3, 1>() = image.wsEye();
+    const Mat4 viewFromLs = problem.viewer.viewFromWorld * wsFromLs;
+    const Mat4 clipFromLs = problem.viewer.clipFromView * viewFromLs;
+    const double distance = problem.viewer.shadowDistance;
+    Judgement result{
+        .directional = image.directional(),
+        .lsFromWs = {parts(lsFromWs.row(0)), parts(lsFromWs.row(1)), parts(lsFromWs.row(2))},
+        .clipFromLs = {parts(clipFromLs.row(0)), parts(clipFromLs.row(1)),
+                       parts(clipFromLs.row(3))},
+        .depthFromLs = parts(-viewFromLs.row(2)),
+        .greatestDepth = distance > 0.0 ? distance : std::numeric_limits<double>::infinity(),
+        .nearDistance = problem.light.nearDistance,
+        .liHull = liHull};
+    if (problem.part != nullptr)
+        for (const Plane& plane : problem.part->bounds()) {
+            const Vec4 row(plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset);
+            result.boundsFromLs[result.boundCount++] = parts(row.transpose() * wsFromLs);
         }
+    return result;
 }
 
-/// The rays that may meet a body.
-class Reach {
+/// Points and their normals, in the world. So many at a time that none is read back in fours while
+/// it is still being written one by one, which the processor would wait for.
+constexpr std::size_t BatchSize = 16;
+struct Points {
+    std::array<std::array<double, BatchSize>, 3> ws;
+    std::array<std::array<double, BatchSize>, 3> wsNormal;
+};
+
+struct FourSamples {
+    std::array<double, 4> vsDepth;
+    std::array<std::array<double, 4>, 2> liPoint;
+    /// d(device x, y) / d(light image x, y), by rows.
+    std::array<std::array<double, 4>, 4> ndcFromLi;
+};
+
+[[gnu::always_inline]] inline void apply(const std::array<double, 4>& row, const FourVectors& x,
+                                         Four& result) {
+    result = (row[0] * x[0] + row[1] * x[1]) + (row[2] * x[2] + row[3]);
+}
+
+[[gnu::always_inline]] inline void turn(const std::array<double, 4>& row, const FourVectors& x,
+                                        Four& result) {
+    result = (row[0] * x[0] + row[1] * x[1]) + row[2] * x[2];
+}
+
+/** Makes samples of four points.
+    @return the lanes, as bits, of those that the light may shine on from their front, and shadows
+   be cast on */
+LIXEL_VECTOR_CLONES
+unsigned judge(const Judgement& judgement, const Points& points, std::size_t first,
+               FourSamples& samples) {
+    FourVectors ws;
+    FourVectors wsNormal;
+    FourVectors ls;
+    FourVectors normal;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        load(&points.ws[axis][first], ws[axis]);
+        load(&points.wsNormal[axis][first], wsNormal[axis]);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        apply(judgement.lsFromWs[axis], ws, ls[axis]);
+        turn(judgement.lsFromWs[axis], wsNormal, normal[axis]);
+    }
+    // The ray of light that meets the point, as far as it goes per unit of depth along the light;
+    // how that depth scales the light image; and the cosine between it and the normal.
+    const Four zero{};
+    FourVectors ray = {zero, zero, zero - 1.0};
+    Four scale = zero + 1.0;
+    FourMask good;
+    if (judgement.directional) {
+        good = normal[2] >= LeastFacing;
+    } else {
+        scale = -ls[2];
+        good = scale >= judgement.nearDistance;
+        ray[0] = ls[0] / scale;
+        ray[1] = ls[1] / scale;
+        const Four facing = -(normal[0] * ray[0] + normal[1] * ray[1] - normal[2]);
+        const Four squared = ray[0] * ray[0] + ray[1] * ray[1] + 1.0;
+        good &= (facing > 0.0) & (facing * facing >= LeastFacing * LeastFacing * squared);
+    }
+    Four depth;
+    apply(judgement.depthFromLs, ls, depth);
+    good &= depth <= judgement.greatestDepth;
+    for (std::size_t i = 0; i < judgement.boundCount; ++i) {
+        Four distance;
+        apply(judgement.boundsFromLs[i], ls, distance);
+        good &= distance >= 0.0;
+    }
+    const Four x = judgement.directional ? ls[0] : ray[0];
+    const Four y = judgement.directional ? ls[1] : ray[1];
+    Vec2 from = judgement.liHull.back();
+    for (const Vec2& to : judgement.liHull) {
+        const double edgeX = to.x() - from.x();
+        const double edgeY = to.y() - from.y();
+        good &= edgeX * (y - from.y()) - edgeY * (x - from.x()) >= 0.0;
+        from = to;
+    }
+    const unsigned lanes = bitsOf(good);
+    if (lanes == 0) return 0;
+
+    // How the viewer's u = x / w changes with the point: (row x - u row w) / w.
+    FourVectors clip;
+    for (std::size_t i = 0; i < 3; ++i)
+        apply(judgement.clipFromLs[i], ls, clip[i]);
+    const Four inverse = 1.0 / clip[2];
+    std::array<FourVectors, 2> gradient;
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            gradient[i][k] =
+                (judgement.clipFromLs[i][k] - clip[i] * inverse * judgement.clipFromLs[2][k]) *
+                inverse;
+    // A step in the light image moves the point across, and along its ray back to the tangent
+    // plane.
+    const Four along = 1.0 / (normal[0] * ray[0] + normal[1] * ray[1] + normal[2] * ray[2]);
+    std::array<Four, 4> ndcFromLi;
+    Four sum = zero;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Four alongRay =
+            gradient[i][0] * ray[0] + gradient[i][1] * ray[1] + gradient[i][2] * ray[2];
+        for (std::size_t k = 0; k < 2; ++k) {
+            ndcFromLi[2 * i + k] = scale * (gradient[i][k] - alongRay * (normal[k] * along));
+            sum += ndcFromLi[2 * i + k] * 0.0;
+            store(ndcFromLi[2 * i + k], samples.ndcFromLi[2 * i + k].data());
+        }
+    }
+    store(depth, samples.vsDepth.data());
+    store(x, samples.liPoint[0].data());
+    store(y, samples.liPoint[1].data());
+    const Four determinant = ndcFromLi[0] * ndcFromLi[3] - ndcFromLi[1] * ndcFromLi[2];
+    // What is not finite made the sum not a number.
+    return lanes & bitsOf((sum == 0.0) & (determinant != 0.0));
+}
+
+/// Collects samples of points until there are enough.
+class Collector {
 public:
-    explicit Reach(const Mat4& clipFromWorld)
-        : mClipFromWorld(clipFromWorld), mAbsolute(clipFromWorld.cwiseAbs()) {}
+    Collector(const Judgement& judgement, std::size_t most, std::vector<ViewSample>& samples)
+        : mJudgement(judgement), mMost(most), mSamples(samples) {
+        samples.clear();
+    }
 
-    /// Calls `visit` with each ray through a cell that the box reaches into.
-    template <typename Visit>
-    void forEach(const Box& box, std::vector<ViewSampleScratch::Ray>& rays,
-                 const Visit& visit) const {
-        const Vec4 centre = mClipFromWorld * box.centre.homogeneous();
-        const Vec4 half = mAbsolute.leftCols<3>() * box.halfExtents;
-        const double wLeast = centre.w() - half.w();
-        const double wGreatest = centre.w() + half.w();
-        if (wGreatest <= 0.0) return;
-        if (!(wLeast > 0.0)) {
-            for (ViewSampleScratch::Ray& ray : rays)
-                visit(ray);
+    bool complete() const { return mSamples.size() >= mMost; }
+
+    void add(const VisiblePoint& point) {
+        // Many points face away from a directional light: they need not be judged further.
+        const std::array<double, 4>& light = mJudgement.lsFromWs[2];
+        if (mJudgement.directional &&
+            !(light[0] * point.wsNormal.x() + light[1] * point.wsNormal.y() +
+                  light[2] * point.wsNormal.z() >=
+              LeastFacing))
             return;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            mPoints.ws[axis][mCount] = point.ws[static_cast<Eigen::Index>(axis)];
+            mPoints.wsNormal[axis][mCount] = point.wsNormal[static_cast<Eigen::Index>(axis)];
         }
-        const auto [left, right] = bounds(centre.x(), half.x(), wLeast, wGreatest);
-        const auto [bottom, top] = bounds(centre.y(), half.y(), wLeast, wGreatest);
-        if (left > 1.0 || right < -1.0 || bottom > 1.0 || top < -1.0) return;
-        const std::pair<int, int> across = cells(left, right, Columns);
-        const std::pair<int, int> up = cells(bottom, top, Rows);
-        for (int row = up.first; row <= up.second; ++row)
-            for (int column = across.first; column <= across.second; ++column) {
-                ViewSampleScratch::Ray& ray =
-                    rays[static_cast<std::size_t>(row * Columns + column)];
-                // Most small bodies lie beside the one ray of their cell.
-                if (ray.ndc.x() < left || ray.ndc.x() > right || ray.ndc.y() < bottom ||
-                    ray.ndc.y() > top)
-                    continue;
-                visit(ray);
-            }
+        if (++mCount == BatchSize) flush();
+    }
+
+    /// Makes samples of what is left.
+    void flush() {
+        for (std::size_t first = 0; first < mCount && !complete(); first += 4)
+            addFour(first);
+        mCount = 0;
     }
 
 private:
-    Mat4 mClipFromWorld;
-    Mat4 mAbsolute;
+    void addFour(std::size_t first) {
+        FourSamples samples;
+        const unsigned lanes = judge(mJudgement, mPoints, first, samples);
+        for (std::size_t lane = 0; first + lane < mCount && lane < 4 && !complete(); ++lane) {
+            if ((lanes >> lane & 1) == 0) continue;
+            ViewSample& sample = mSamples.emplace_back();
+            sample.vsDepth = samples.vsDepth[lane];
+            sample.liPoint = {samples.liPoint[0][lane], samples.liPoint[1][lane]};
+            sample.ndcFromLi << samples.ndcFromLi[0][lane], samples.ndcFromLi[1][lane],
+                samples.ndcFromLi[2][lane], samples.ndcFromLi[3][lane];
+        }
+    }
+
+    const Judgement& mJudgement;
+    std::size_t mMost;
+    std::vector<ViewSample>& mSamples;
+    Points mPoints{};
+    std::size_t mCount = 0;
 };
 
-/// Traces view rays against the receivers: their known surfaces, and the boxes of all others.
-void traceReceivers(const ShadowProblem& problem, const Mat4& clipFromWorld,
-                    ViewSampleScratch& scratch) {
-    castRays(clipFromWorld.inverse(), scratch.rays);
-    const Reach reach(clipFromWorld);
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < problem.receivers->size(); ++i) {
-        if (next < problem.surfaces.size() && problem.surfaces[next].receiver == i) {
-            ++next;
-            continue;
-        }
-        const Box box = problem.receivers->box(i);
-        reach.forEach(box, scratch.rays, [&](ViewSampleScratch::Ray& ray) { meet(box, ray); });
+/// Calls `visit` with each index below `count`, in an order of which every beginning is spread
+/// evenly, until it returns false.
+template <typename Visit>
+void visitSpread(std::size_t count, const Visit& visit) {
+    if (count == 0) return;
+    // Steps by the golden section leave the most even gaps; without a common divisor they come by
+    // every index.
+    constexpr double Golden = 0.6180339887498949;
+    auto step = static_cast<std::size_t>(Golden * static_cast<double>(count));
+    while (std::gcd(step, count) > 1)
+        ++step;
+    for (std::size_t i = 0, at = 0; i < count && visit(at); ++i) {
+        at += step;
+        if (at >= count) at -= count;
     }
+}
+
+/// Traces view rays against the receivers: their known surfaces, and the boxes of all others.
+void traceReceivers(const ShadowProblem& problem, const LightImage& image,
+                    const BoxSet& receiversInView, ViewRays& rays) {
+    rays.cast(problem.viewer.clipFromView * problem.viewer.viewFromWorld);
+    // What is in view but not lit, or in another map's part, hides what is: a directional light
+    // without parts has neither.
+    if (image.directional() && problem.part == nullptr && problem.surfaces.empty())
+        rays.meet(receiversInView, {});
+    else
+        rays.meet(*problem.receivers, problem.surfaces);
     for (const KnownSurface& surface : problem.surfaces) {
         const Mat3 linear = surface.wsFromCloud.linear();
         // Normals turn with the inverse transpose; discs are as large as the body's volume scales.
-        const Mat3 turn = linear.inverse().transpose();
+        const Mat3 turned = linear.inverse().transpose();
         const double scale = std::cbrt(std::abs(linear.determinant()));
-        for (const Surfel& own : surface.cloud->surfels) {
-            const Surfel disc{surface.wsFromCloud * own.centre,
-                              (turn * own.normal).stableNormalized(), scale * own.radius};
-            // Where a disc ends along an axis: its radius by the sine to its normal.
-            const Vec3 half =
-                disc.radius * (Vec3::Ones() - disc.normal.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
-            reach.forEach({disc.centre, half}, scratch.rays,
-                          [&](ViewSampleScratch::Ray& ray) { meet(disc, ray); });
-        }
+        for (const Surfel& own : surface.cloud->surfels)
+            rays.meet(Surfel{surface.wsFromCloud * own.centre,
+                             (turned * own.normal).stableNormalized(), scale * own.radius});
     }
-}
-
-/// Whether the light may shine on the point from its front, and shadows be cast on it.
-bool matters(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
-             const VisiblePoint& point) {
-    const ShadowViewer& viewer = problem.viewer;
-    if (viewer.shadowDistance > 0.0 &&
-        -viewer.viewFromWorld.row(2).dot(point.ws.homogeneous()) > viewer.shadowDistance)
-        return false;
-    if (problem.part != nullptr)
-        for (const Plane& plane : problem.part->bounds())
-            if (plane.distance(point.ws) < 0.0) return false;
-    const Vec3 ls = image.lsFromPoint(point.ws);
-    const Vec3 lsNormal = image.lsFromDirection(point.wsNormal);
-    if (image.directional()) {
-        if (lsNormal.z() < LeastFacing) return false;
-    } else {
-        if (-ls.z() < problem.light.nearDistance) return false;
-        if (-lsNormal.dot(ls) < LeastFacing * ls.norm()) return false;
-    }
-    const Vec2 q = image.project(ls);
-    const Polygon2& hull = region.liHull;
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        const Vec2& a = hull[i];
-        const Vec2& b = hull[i + 1 < hull.size() ? i + 1 : 0];
-        if (cross(b - a, q - a) < 0.0) return false;
-    }
-    return true;
-}
-
-ViewSample sampleAt(const ShadowViewer& viewer, const Mat4& clipFromWorld, const LightImage& image,
-                    const VisiblePoint& point) {
-    // The tangent's motion for a unit step of each device coordinate u = x / w:
-    // du = (row x - u row w) . dx / w, with n . dx = 0.
-    const Vec4 clip = clipFromWorld * point.ws.homogeneous();
-    Mat3 ndcFromWs;
-    for (int axis = 0; axis < 2; ++axis)
-        ndcFromWs.row(axis) =
-            (clipFromWorld.row(axis) - clip[axis] / clip.w() * clipFromWorld.row(3)).head<3>() /
-            clip.w();
-    ndcFromWs.row(2) = point.wsNormal.transpose();
-    const Vec3 ls = image.lsFromPoint(point.ws);
-    ViewSample sample;
-    sample.liPoint = image.project(ls);
-    sample.vsDepth = -viewer.viewFromWorld.row(2).dot(point.ws.homogeneous());
-    Eigen::Matrix<double, 2, 3> liFromLs = Eigen::Matrix<double, 2, 3>::Identity();
-    if (!image.directional()) {
-        // q = xy / -z, so dq = (dxy + q dz) / -z.
-        liFromLs.col(2) = sample.liPoint;
-        liFromLs /= -ls.z();
-    }
-    sample.liFromNdc = liFromLs * image.lsFromWs() * ndcFromWs.inverse().leftCols<2>();
-    return sample;
 }
 
 } // namespace
 
-void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
-                std::size_t most, ViewSampleScratch& scratch, std::vector<ViewSample>& samples) {
-    const Mat4 clipFromWorld = problem.viewer.clipFromView * problem.viewer.viewFromWorld;
-    std::vector<VisiblePoint>& points = scratch.points;
-    points.clear();
-    const auto consider = [&](const Vec3& ws, const Vec3& wsNormal) {
-        if (matters(problem, image, region, {ws, wsNormal})) points.push_back({ws, wsNormal});
-    };
-    if (!problem.visiblePoints.empty()) {
-        for (const VisiblePoint& point : problem.visiblePoints)
-            consider(point.ws, point.wsNormal);
+void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
+                const BoxSet& receiversInView, std::size_t most, ViewRays& rays,
+                std::vector<ViewSample>& samples) {
+    const Judgement judgement = judgementOf(problem, image, liHull);
+    Collector collector(judgement, most, samples);
+    const std::span<const VisiblePoint> points = problem.visiblePoints;
+    if (!points.empty()) {
+        visitSpread(points.size(), [&](std::size_t i) {
+            collector.add(points[i]);
+            return !collector.complete();
+        });
     } else {
-        traceReceivers(problem, clipFromWorld, scratch);
-        for (const ViewSampleScratch::Ray& ray : scratch.rays)
-            if (std::isfinite(ray.nearest))
-                consider(ray.origin + ray.nearest * ray.direction, ray.normal);
+        traceReceivers(problem, image, receiversInView, rays);
+        visitSpread(ViewRays::Count, [&](std::size_t i) {
+            if (rays.hit(i)) collector.add(rays.point(i));
+            return !collector.complete();
+        });
     }
-    samples.clear();
-    const std::size_t kept = std::min(most, points.size());
-    for (std::size_t i = 0; i < kept; ++i) {
-        const ViewSample sample =
-            sampleAt(problem.viewer, clipFromWorld, image, points[i * points.size() / kept]);
-        if (sample.liFromNdc.allFinite() && sample.liFromNdc.determinant() != 0.0)
-            samples.push_back(sample);
-    }
+    collector.flush();
 }
 
 } // namespace Lixel

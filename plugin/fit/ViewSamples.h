@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/FocusRegion.h"
+#include "fit/ViewRays.h"
 
 namespace Lixel {
 
@@ -10,25 +11,9 @@ struct ViewSample {
     Vec2 liPoint = Vec2::Zero();
     /// Its depth in front of the viewer, in world units.
     double vsDepth = 0.0;
-    /// d(light image) / d(viewer's normalised device coordinates), along the surface's tangent
+    /// d(viewer's normalised device coordinates) / d(light image), along the surface's tangent
     /// plane.
-    Eigen::Matrix2d liFromNdc = Eigen::Matrix2d::Identity();
-};
-
-/// Scratch memory of sampling, kept between frames.
-struct ViewSampleScratch {
-    struct Ray {
-        /// Where it goes through the picture, in device coordinates.
-        Vec2 ndc;
-        Vec3 origin;
-        Vec3 direction;
-        Vec3 inverse;
-        double nearest;
-        Vec3 normal;
-    };
-    std::vector<Ray> rays;
-    /// Points that could be samples.
-    std::vector<VisiblePoint> points;
+    Eigen::Matrix2d ndcFromLi = Eigen::Matrix2d::Identity();
 };
 
 /** Samples what the viewer sees of the receivers and the light shines on, within the focus region.
@@ -36,11 +21,18 @@ struct ViewSampleScratch {
     The visible points are the problem's own where it has any; otherwise view rays, spread evenly
     over the picture, meet the receivers: their known surfaces, or else their boxes. A box that a
     ray starts in is hit where the ray leaves it. A sample must face the light, n . l >= 0.05, as
-   pixels of which shadows are judged do.
+    pixels of which shadows are judged do.
 
-    @param most samples to keep, evenly out of those found
+    Where there are more points than wanted, they are taken in an order of which each beginning is
+    spread over all of them, until there are enough: so one that comes or goes changes few samples.
+
+    @param liHull of the focus region, or a little more; samples lie within it
+    @param receiversInView the receivers that may be in view and lit, as the focus region's search
+    left them
+    @param most samples to keep
 */
-void sampleView(const ShadowProblem& problem, const LightImage& image, const FocusRegion& region,
-                std::size_t most, ViewSampleScratch& scratch, std::vector<ViewSample>& samples);
+void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
+                const BoxSet& receiversInView, std::size_t most, ViewRays& rays,
+                std::vector<ViewSample>& samples);
 
 } // namespace Lixel

@@ -33,15 +33,6 @@ constexpr double AnotherRegion = 0.05;
 /// Vertices of the focus region that the search keeps; the fit itself uses all.
 constexpr std::size_t SearchVertices = 12;
 
-/// Side of the first simplex, as a change of spread: a third more or less at one end.
-constexpr double FirstStep = 0.3;
-
-/// A simplex smaller than this is done: it tells warps apart whose texels differ by a hundredth.
-constexpr double LeastStep = 0.02;
-
-/// Evaluations that make a simplex and move it once.
-constexpr int LeastSimplex = 5;
-
 /// What tells whether viewer, light and region are the same as before, however light space is
 /// turned.
 SearchMemory describe(const WarpContext& context) {
@@ -52,10 +43,11 @@ SearchMemory describe(const WarpContext& context) {
     const Vec3& viewer = context.viewer;
     const double distance =
         viewer.z() > 0.0 ? (region.liCentre - viewer.head<2>() / viewer.z()).norm() : 0.0;
-    return {.wsSpread = Vec3::Zero(),
-            .measures = Vec3(distance, perimeter, region.vsReceiverFar),
-            .wsView = -context.problem.viewer.viewFromWorld.row(2).head<3>().stableNormalized(),
-            .wsLight = context.image.lsFromWs().row(2)};
+    SearchMemory memory;
+    memory.measures = Vec3(distance, perimeter, region.vsReceiverFar);
+    memory.wsView = -context.problem.viewer.viewFromWorld.row(2).head<3>().stableNormalized();
+    memory.wsLight = context.image.lsFromWs().row(2);
+    return memory;
 }
 
 /// How much has changed: relative for lengths, radians for directions.
@@ -105,12 +97,15 @@ WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples)
       mNow(describe(context)) {
     FitState& state = context.state;
     const FocusRegion& region = context.region;
-    sampleView(context.problem, context.image, region, samples, state.sampling, state.samples);
+    mHull = region.liHull;
+    simplifyOutward(mHull, SearchVertices);
+    sampleView(context.problem, context.image, mHull, state.scratch.receiversInView, samples,
+               state.viewRays, state.samples);
     // A camera cut makes it another region, which the last choice has nothing to do with.
     if (state.search) mChange = changeBetween(mNow, *state.search);
     if (!(mChange < AnotherRegion)) state.search.reset();
-    mHull = region.liHull;
-    simplifyOutward(mHull, SearchVertices);
+    mNow.step = state.search ? state.search->step : FirstStep;
+    mNow.turn = state.search ? state.search->turn : 0;
     if (state.samples.empty()) return;
     mExtent.reset(state.samples, mHull, region.liCentre);
     const double uniform = mExtent(Vec2::Zero());
@@ -123,19 +118,15 @@ double WarpSearch::operator()(const Vec2& spread) {
     return std::isnan(value) ? Infinity : value;
 }
 
-Vec2 WarpSearch::along(const Vec2& direction, double greatest, int evaluations) {
+WarpSearch::Judged WarpSearch::along(const Vec2& direction, double greatest, int evaluations) {
     constexpr double Golden = 0.6180339887498949;
     double lower = 0.0;
     double upper = std::min(greatest, GreatestSpread);
-    Vec2 best = Vec2::Zero();
-    double bestCost = 1.0; // a uniform map's
+    Judged best; // a uniform map
     const auto cost = [&](double s) {
-        const double value = (*this)(s * direction);
-        if (value < bestCost) {
-            bestCost = value;
-            best = s * direction;
-        }
-        return value;
+        const Judged judged = judge(s * direction);
+        if (judged.cost < best.cost) best = judged;
+        return judged.cost;
     };
     cost(upper);
     double a = upper - Golden * (upper - lower);
@@ -160,8 +151,8 @@ Vec2 WarpSearch::along(const Vec2& direction, double greatest, int evaluations) 
     return best;
 }
 
-Vec2 WarpSearch::around(const Vec2& start, int evaluations) {
-    Vec2 best = start;
+WarpSearch::Judged WarpSearch::around(const Judged& start, int evaluations) {
+    Judged best = start;
     double step = FirstStep;
     // A simplex that has shrunk to nothing may have stalled on a crease of the measure, where the
     // map's orientation changes: another one, the other way around, goes on from there.
@@ -172,56 +163,53 @@ Vec2 WarpSearch::around(const Vec2& start, int evaluations) {
     return best;
 }
 
-Vec2 WarpSearch::simplexFrom(const Vec2& start, double step, int& evaluations) {
-    struct Vertex {
-        Vec2 at;
-        double cost;
-    };
+WarpSearch::Judged WarpSearch::simplexFrom(const Judged& start, double step, int& evaluations) {
     const auto vertex = [&](const Vec2& at) {
         --evaluations;
-        return Vertex{at, (*this)(at)};
+        return judge(at);
     };
     // One side along the start's direction, one across.
-    const Vec2 along = start.norm() > 0.0 ? Vec2(start.normalized()) : Vec2(1.0, 0.0);
+    const Vec2 along = start.spread.norm() > 0.0 ? Vec2(start.spread.normalized()) : Vec2(1.0, 0.0);
     const Vec2 across(-along.y(), along.x());
-    std::array<Vertex, 3> simplex{vertex(start), vertex(start - std::abs(step) * along),
-                                  vertex(start + step * across)};
+    std::array<Judged, 3> simplex{start, vertex(start.spread - std::abs(step) * along),
+                                  vertex(start.spread + step * across)};
     const auto sort = [&] {
         std::sort(simplex.begin(), simplex.end(),
-                  [](const Vertex& a, const Vertex& b) { return a.cost < b.cost; });
+                  [](const Judged& a, const Judged& b) { return a.cost < b.cost; });
     };
     sort();
-    while (evaluations > 0 && (simplex[2].at - simplex[0].at).norm() > LeastStep) {
-        Vertex& worst = simplex[2];
-        const Vec2 middle = (simplex[0].at + simplex[1].at) / 2.0;
-        const Vertex reflected = vertex(2.0 * middle - worst.at);
+    while (evaluations > 0 && (simplex[2].spread - simplex[0].spread).norm() > LeastStep) {
+        Judged& worst = simplex[2];
+        const Vec2 middle = (simplex[0].spread + simplex[1].spread) / 2.0;
+        const Judged reflected = vertex(2.0 * middle - worst.spread);
         if (reflected.cost < simplex[0].cost && evaluations > 0) {
-            const Vertex expanded = vertex(3.0 * middle - 2.0 * worst.at);
+            const Judged expanded = vertex(3.0 * middle - 2.0 * worst.spread);
             worst = expanded.cost < reflected.cost ? expanded : reflected;
         } else if (reflected.cost < simplex[1].cost || evaluations == 0) {
             if (reflected.cost < worst.cost) worst = reflected;
         } else {
-            const Vec2& outer = reflected.cost < worst.cost ? reflected.at : worst.at;
-            const Vertex contracted = vertex((middle + outer) / 2.0);
+            const Vec2& outer = reflected.cost < worst.cost ? reflected.spread : worst.spread;
+            const Judged contracted = vertex((middle + outer) / 2.0);
             if (contracted.cost < std::min(worst.cost, reflected.cost)) {
                 worst = contracted;
             } else if (evaluations >= 2) {
                 for (std::size_t i = 1; i < 3; ++i)
-                    simplex[i] = vertex((simplex[0].at + simplex[i].at) / 2.0);
+                    simplex[i] = vertex((simplex[0].spread + simplex[i].spread) / 2.0);
             }
         }
         sort();
     }
-    return simplex[0].at;
+    return simplex[0];
 }
 
-Vec2 WarpSearch::settle(const Vec2& best) {
+Vec2 WarpSearch::settle(const Judged& best) {
     Vec2 chosen = Vec2::Zero();
     if (usable()) {
-        const double gain = 1.0 - (*this)(best);
-        chosen = smoothstep(gain / ClearGain) * best;
+        const double part = smoothstep((1.0 - best.cost) / ClearGain);
+        chosen = part * best.spread;
         // Part of the way need not be better than none of it where the measure has a crease.
-        if (!((*this)(chosen) <= 1.0)) chosen = Vec2::Zero();
+        if (part < 1.0 && !((*this)(chosen) <= 1.0)) chosen = Vec2::Zero();
+        mNow.wsTarget = wsFromSpread(best.spread);
     }
     // The samples that the search judges by come and go one by one, and two warps can be equally
     // good.
@@ -231,7 +219,7 @@ Vec2 WarpSearch::settle(const Vec2& best) {
             greatestLogChange(mHull, mContext.region.liCentre, warp(chosen), warp(*before));
         if (distance > step) chosen = *before + step / distance * (chosen - *before);
     }
-    mNow.wsSpread = mContext.image.lsFromWs().transpose() * Vec3(chosen.x(), chosen.y(), 0.0);
+    mNow.wsSpread = wsFromSpread(chosen);
     mContext.state.search = mNow;
     return chosen;
 }
@@ -240,6 +228,16 @@ std::optional<Vec2> WarpSearch::last() const {
     const std::optional<SearchMemory>& memory = mContext.state.search;
     if (!memory) return std::nullopt;
     return mContext.image.lsFromDirection(memory->wsSpread).head<2>();
+}
+
+std::optional<Vec2> WarpSearch::target() const {
+    const std::optional<SearchMemory>& memory = mContext.state.search;
+    if (!memory || !memory->wsTarget) return std::nullopt;
+    return mContext.image.lsFromDirection(*memory->wsTarget).head<2>();
+}
+
+Vec3 WarpSearch::wsFromSpread(const Vec2& spread) const {
+    return mContext.image.lsFromWs().transpose() * Vec3(spread.x(), spread.y(), 0.0);
 }
 
 Vec2 WarpSearch::warp(const Vec2& spread) const {

@@ -34,7 +34,12 @@ Vec2 guardedWarp(const WarpContext& context, const Vec2& warp) {
     const double length = greatest.norm();
     if (!(length > 0.0) || !std::isfinite(length)) return Vec2::Zero();
     const Vec2 direction = greatest / length;
-    const Vec2 best = search.usable() ? search.along(direction, length, SearchSteps) : Vec2(0, 0);
+    WarpSearch::Judged best;
+    if (search.usable()) {
+        const auto target = search.target();
+        best = target ? search.followAlong(direction, length, *target)
+                      : search.along(direction, length, SearchSteps);
+    }
     // What settles from frame to frame may lie beside the line, or beyond its end.
     const double settled = direction.dot(search.settle(best));
     return search.warp(std::clamp(settled, 0.0, length) * direction);

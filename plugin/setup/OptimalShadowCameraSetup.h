@@ -19,7 +19,8 @@ public:
     void setSamples(int samples);
     int getSamples() const { return mOptions.samples; }
 
-    /// Warps judged in each frame. Default 32.
+    /// Warps judged where nothing is known of the frame before; a quarter, and at least 8, in a
+    /// frame that follows another. Default 32.
     /// @throws Ogre::InvalidParametersException unless in 8 to 4096.
     void setEvaluations(int evaluations);
     int getEvaluations() const { return mOptions.evaluations; }

@@ -58,11 +58,17 @@ std::string describe(const GeometricMean& mean) {
                : fmt::format("{:.3f} [{:.3f}, {:.3f}]", mean.mean, mean.lower, mean.upper);
 }
 
+/// Cases in which the baseline errs enough for a ratio to say something.
+std::vector<const TableCase*> tellingCases(const std::vector<TableCase>& cases,
+                                           std::size_t baseline) {
+    return casesWhere(
+        cases, [&](const TableCase& one) { return one.errors[baseline].error >= LeastBaseline; });
+}
+
 /// The second half of the table.
 void printRatios(const std::vector<TableCase>& cases, std::size_t baseline) {
     const std::vector<NamedSetup>& setups = emulatedSetups();
-    const auto telling = casesWhere(
-        cases, [&](const TableCase& one) { return one.errors[baseline].error >= LeastBaseline; });
+    const auto telling = tellingCases(cases, baseline);
     const auto among = [&](const std::function<bool(const TableCase&)>& filter) {
         std::vector<const TableCase*> some;
         std::copy_if(telling.begin(), telling.end(), std::back_inserter(some),
@@ -119,7 +125,7 @@ void measureScene(const SampleScene& scene, const TableOptions& options,
                           light.name,
                           light.kind == SampleLight::Kind::Directional,
                           {}};
-            for (const NamedSetup& setup : emulatedSetups())
+            for (const NamedSetup& setup : options.setups)
                 one.errors.push_back(
                     emulation.error(capture.capture(setup, options.mapSize, reach, origin)));
             cases.push_back(std::move(one));
@@ -127,7 +133,7 @@ void measureScene(const SampleScene& scene, const TableOptions& options,
         const std::chrono::duration<double, std::milli> passed =
             std::chrono::steady_clock::now() - begin;
         fmt::print(stderr, "{}, view {} of {}: {:.0f} ms a setup and light\n", scene.name, v + 1,
-                   views, passed.count() / static_cast<double>(lights * emulatedSetups().size()));
+                   views, passed.count() / static_cast<double>(lights * options.setups.size()));
     }
 }
 
@@ -166,6 +172,11 @@ void printTable(const std::vector<TableCase>& cases, std::size_t baseline) {
     }
 
     printRatios(cases, baseline);
+}
+
+std::string describeRatio(const std::vector<TableCase>& cases, std::size_t setup,
+                          std::size_t baseline) {
+    return describe(ratioOf(tellingCases(cases, baseline), setup, baseline));
 }
 
 void writeCases(const std::vector<TableCase>& cases, const std::string& file) {

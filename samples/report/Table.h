@@ -11,6 +11,7 @@ namespace Lixel::Samples {
 
 /// What a table is made of.
 struct TableOptions {
+    std::vector<NamedSetup> setups = emulatedSetups();
     std::string modelFile; ///< one more scene; empty for none
     std::size_t lights = 4;
     bool firstView = false; ///< the first view of each scene alone
@@ -25,7 +26,7 @@ struct TableCase {
     std::string view;
     std::string light;
     bool sun = true;                         ///< directional
-    std::vector<ClassificationError> errors; ///< in the order of emulatedSetups()
+    std::vector<ClassificationError> errors; ///< in the order of the setups
 };
 
 /// The errors of every setup in every scene; says on the error stream how far it is.
@@ -41,6 +42,10 @@ std::vector<TableCase> measureTable(const TableOptions& options);
     @param baseline index into emulatedSetups()
 */
 void printTable(const std::vector<TableCase>& cases, std::size_t baseline);
+
+/// A setup's errors relative to a baseline's, as printTable has them over all cases, for people.
+std::string describeRatio(const std::vector<TableCase>& cases, std::size_t setup,
+                          std::size_t baseline);
 
 /// Percent. About 25 pixels of a picture of 640 x 480: fewer depend on where texels happen to lie.
 constexpr double LeastBaseline = 0.01;

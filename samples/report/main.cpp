@@ -2,6 +2,7 @@
 
 #include "common/Comparison.h"
 #include "common/Setups.h"
+#include "report/Budgets.h"
 #include "report/Table.h"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,7 @@ struct Options {
     std::size_t lights = 4;
     bool firstView = false;
     bool table = false;
+    bool budgets = false;
     std::string casesFile;
 };
 
@@ -38,7 +40,7 @@ std::vector<ComparedCase> compareScene(const std::string& name, const Options& o
                          });
 }
 
-/// All setups in one table. @return the program's exit status
+/// All setups in one table, or one of them with all it may spend. @return the program's exit status
 int makeTable(const Options& options) {
     const auto& setups = emulatedSetups();
     const auto baseline = std::find_if(setups.begin(), setups.end(), [&](const NamedSetup& setup) {
@@ -53,6 +55,10 @@ int makeTable(const Options& options) {
     table.lights = options.lights;
     table.firstView = options.firstView;
     try {
+        if (options.budgets) {
+            printBudgets(table);
+            return 0;
+        }
         const std::vector<TableCase> cases = measureTable(table);
         printTable(cases, static_cast<std::size_t>(baseline - setups.begin()));
         if (!options.casesFile.empty()) writeCases(cases, options.casesFile);
@@ -76,9 +82,11 @@ int main(int argc, char** argv) {
     app.add_flag("--first-view", options.firstView, "The first view of each scene alone");
     app.add_flag("--table", options.table,
                  "All setups in one table, by emulation, without drawing");
+    app.add_flag("--budgets", options.budgets,
+                 "Optimal alone, by samples and evaluations, with its time, by emulation");
     app.add_option("--cases", options.casesFile, "With --table: a file for every case's errors");
     CLI11_PARSE(app, argc, argv);
-    if (options.table) return makeTable(options);
+    if (options.table || options.budgets) return makeTable(options);
     for (const std::string& name : {options.setup, options.baseline}) {
         if (findShadowSetup(name) == nullptr) {
             fmt::print(stderr, "lixel-report: there is no setup '{}'\n", name);

@@ -40,9 +40,9 @@ std::vector<ViewSample> sample(const Scene& scene, std::span<const KnownSurface>
     FocusScratch scratch;
     FocusRegion region;
     findFocusRegion(problem, image, scratch, region);
-    ViewSampleScratch sampling;
+    ViewRays rays;
     std::vector<ViewSample> samples;
-    sampleView(problem, image, region, 1000, sampling, samples);
+    sampleView(problem, image, region.liHull, scratch.receiversInView, 1000, rays, samples);
     return samples;
 }
 
@@ -135,7 +135,7 @@ TEST(SurfaceCloud, TellsWhereARoomsSurfaceIsFromWithin) {
             rows.row(2) = Vec3::UnitY().transpose();
             const Vec3 step = rows.inverse().col(0);
             const Vec2 expected = image.lsFromDirection(step).head<2>();
-            if ((expected - s.liFromNdc.col(0)).norm() < 1e-6 * expected.norm()) ++count;
+            if ((expected - s.ndcFromLi.inverse().col(0)).norm() < 1e-6 * expected.norm()) ++count;
         }
         return count;
     };

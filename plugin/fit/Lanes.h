@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+/** Four numbers that are worked on at once: a register of AVX2, or two of SSE2.
+
+    Vectors of GCC, as it does not find them in loops over short arrays. Everything here is inlined
+    into each of a function's clones (VectorClones.h), and so compiled for its processor.
+*/
+namespace Lixel {
+
+using Four = double __attribute__((vector_size(32)));
+/// What comparing two gives, for each lane all bits or none; and their bits.
+using FourMask = std::int64_t __attribute__((vector_size(32)));
+using FourBits = std::uint64_t __attribute__((vector_size(32)));
+/// A vector in space for each lane.
+using FourVectors = std::array<Four, 3>;
+
+// References where values would do: how wide vectors are passed depends on the processor.
+
+[[gnu::always_inline]] inline void load(const double* from, Four& result) {
+    std::memcpy(&result, from, sizeof(result));
+}
+
+[[gnu::always_inline]] inline void store(const Four& value, double* to) {
+    std::memcpy(to, &value, sizeof(value));
+}
+
+/// The lesser and the greater; b where either is not a number.
+[[gnu::always_inline]] inline void lesser(const Four& a, const Four& b, Four& result) {
+    result = a < b ? a : b;
+}
+[[gnu::always_inline]] inline void greater(const Four& a, const Four& b, Four& result) {
+    result = a > b ? a : b;
+}
+
+/// The lanes of a mask as bits.
+[[gnu::always_inline]] inline unsigned bitsOf(const FourMask& mask) {
+    FourBits bits;
+    std::memcpy(&bits, &mask, sizeof(bits));
+    bits >>= 63;
+    return static_cast<unsigned>(bits[0] | (bits[1] << 1) | (bits[2] << 2) | (bits[3] << 3));
+}
+
+} // namespace Lixel

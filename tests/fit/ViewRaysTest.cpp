@@ -1,0 +1,74 @@
+// View rays, tried many at once, against one ray and one box at a time.
+#include "Oracle.h"
+
+#include "fit/ViewRays.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/LU>
+
+using namespace Lixel;
+using namespace Lixel::Test;
+
+namespace {
+
+/// The ray's first way into a box, or out of one it starts in; infinite without.
+double firstHit(const Scene& scene, const Vec3& origin, const Vec3& direction,
+                std::size_t without) {
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t index = 0;
+    for (const Box& box : scene.receivers.boxes()) {
+        if (index++ == without) continue;
+        const auto hit = rayInBox(box, origin, direction);
+        if (!hit || hit->end < 0.0) continue;
+        nearest = std::min(nearest, hit->begin > 0.0 ? hit->begin : hit->end);
+    }
+    return nearest;
+}
+
+} // namespace
+
+RC_GTEST_PROP(ViewRays, MeetWhatEachRayMeetsFirst, ()) {
+    const Scene scene = *anyScene();
+    const Mat4 clipFromWorld = scene.viewer.clipFromView * scene.viewer.viewFromWorld;
+    RC_PRE(std::abs(clipFromWorld.determinant()) > 0.0);
+    const Mat4 worldFromClip = clipFromWorld.inverse();
+    // One receiver's surface is known, and its box no surface then.
+    Dice dice(*anySeed());
+    const std::size_t known = dice.below(scene.receivers.size() + 1);
+    const KnownSurface surface{.receiver = known};
+    ViewRays rays;
+    rays.cast(clipFromWorld);
+    rays.meet(scene.receivers,
+              known < scene.receivers.size() ? std::span(&surface, 1) : std::span(&surface, 0));
+    for (std::size_t ray = 0; ray < ViewRays::Count; ++ray) {
+        const Vec2 ndc = rays.ndc(ray);
+        RC_ASSERT(ndc.cwiseAbs().maxCoeff() <= 1.0);
+        const Vec4 nearPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), -1.0, 1.0);
+        const Vec4 farPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), 1.0, 1.0);
+        const Vec3 origin = nearPoint.head<3>() / nearPoint.w();
+        const Vec3 direction = farPoint.head<3>() - farPoint.w() * origin;
+        const double nearest = firstHit(scene, origin, direction, known);
+        // A ray along a box' face may meet it or not.
+        double wider = nearest;
+        if (rays.hit(ray) != std::isfinite(nearest)) {
+            Scene shrunk = scene;
+            shrunk.receivers.clear();
+            for (const Box& box : scene.receivers.boxes())
+                shrunk.receivers.add({box.centre, (1.0 - 1e-9) * box.halfExtents});
+            wider = firstHit(shrunk, origin, direction, known);
+            RC_ASSERT(rays.hit(ray) == std::isfinite(wider));
+        }
+        if (!rays.hit(ray)) continue;
+        const VisiblePoint point = rays.point(ray);
+        const Vec3 expected = origin + wider * direction;
+        RC_LOG() << "ray " << ray << " met " << point.ws.transpose() << " instead of "
+                 << expected.transpose() << "\n";
+        RC_ASSERT((point.ws - expected).norm() <=
+                  1e-6 * (expected - origin).norm() + 1e-9 * scene.size);
+        // Faces are seen from their front, or from within.
+        RC_ASSERT(point.wsNormal.norm() == 1.0);
+        RC_ASSERT(point.wsNormal.dot(direction) <= 0.0);
+    }
+}
