@@ -1,18 +1,13 @@
 #include "CaseRun.h"
 
+#include "ChildProcess.h"
+
 #include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
-
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstring>
-#include <stdexcept>
 
 namespace Lixel::Tests {
 namespace {
@@ -48,28 +43,6 @@ CaseResult judgeFrame(HardScene& scene, const std::optional<ProbedMap>& map, con
                       ? "ok"
                       : fmt::format("no map: {}", map ? toString(map->reason) : "none asked for");
     return result;
-}
-
-Message toMessage(const CaseResult& result) {
-    Message message{result.ok, {}, result.losses};
-    result.text.copy(message.text.data(), message.text.size() - 1);
-    return message;
-}
-
-[[noreturn]] void runChild(int output, Samples::Stage& stage, const HardCase& hardCase,
-                           const Samples::NamedSetup& setup) {
-    alarm(TimeLimit);
-    // What OGRE has to say about an assertion is said by "abort".
-    dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
-    CaseResult result;
-    try {
-        result = runCase(stage, hardCase, setup);
-    } catch (const std::exception& exception) {
-        result.text = fmt::format("throws: {}", exception.what());
-    }
-    const Message message = toMessage(result);
-    const bool written = write(output, &message, sizeof message) == sizeof message;
-    _exit(written ? 0 : 1);
 }
 
 } // namespace
@@ -140,24 +113,17 @@ CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
 
 CaseResult runCaseApart(Samples::Stage& stage, const HardCase& hardCase,
                         const Samples::NamedSetup& setup) {
-    std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe to a child process");
-    std::fflush(nullptr);
-    const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("no child process");
-    if (child == 0) runChild(ends[1], stage, hardCase, setup);
-    close(ends[1]);
     Message message{};
-    const bool complete = read(ends[0], &message, sizeof message) == sizeof message;
-    close(ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (complete) return {message.ok, message.text.data(), message.losses};
-    CaseResult result;
-    result.text = !WIFSIGNALED(status)          ? "exits"
-                  : WTERMSIG(status) == SIGALRM ? "hangs"
-                  : WTERMSIG(status) == SIGABRT ? "abort"
-                                                : "crashes";
+    const auto work = [&] {
+        const CaseResult result = runCase(stage, hardCase, setup);
+        message.ok = result.ok;
+        message.losses = result.losses;
+        result.text.copy(message.text.data(), message.text.size() - 1);
+    };
+    const std::string failure =
+        runApart(TimeLimit, work, std::as_writable_bytes(std::span(&message, 1)));
+    CaseResult result{message.ok, message.text.data(), message.losses};
+    if (!failure.empty()) result.text = failure;
     return result;
 }
 
