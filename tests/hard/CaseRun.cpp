@@ -78,36 +78,42 @@ bool isLixels(const Samples::NamedSetup& setup) {
     return !setup.name.starts_with("Ogre");
 }
 
-CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
-                   const Samples::NamedSetup& setup) {
-    const bool lixels = isLixels(setup);
-    stage.setShadowSetup(setup.create());
-    HardScene scene(stage);
+void buildCase(HardScene& scene, const HardCase& hardCase) {
     hardCase.build(scene);
     if (scene.mapWidth != 1024 || scene.mapHeight != 1024)
         scene.manager().setShadowTextureConfig(0, static_cast<unsigned short>(scene.mapWidth),
                                                static_cast<unsigned short>(scene.mapHeight),
                                                Ogre::PF_FLOAT32_R);
+}
+
+void drawCase(HardScene& scene, const HardCase& hardCase, const std::function<void()>& judged) {
+    for (int frame = 0; frame < hardCase.settle; ++frame) {
+        if (hardCase.eachFrame) hardCase.eachFrame(scene, frame);
+        scene.stage.drawFrame();
+    }
+    if (hardCase.change) hardCase.change(scene);
+    if (hardCase.eachFrame) hardCase.eachFrame(scene, hardCase.settle);
+    judged();
+    scene.stage.drawFrame();
+    if (!hardCase.repair) return;
+    hardCase.repair(scene);
+    judged();
+    scene.stage.drawFrame();
+}
+
+CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
+                   const Samples::NamedSetup& setup) {
+    const bool lixels = isLixels(setup);
+    stage.setShadowSetup(setup.create());
+    HardScene scene(stage);
+    buildCase(scene, hardCase);
     MapProbe probe(scene, lixels);
     MapUse use;
     // Lixel's setups clamp where the render system can; OGRE's never do.
     use.clampsDepth = lixels && stage.root().getRenderSystem()->getCapabilities()->hasCapability(
                                     Ogre::RSC_DEPTH_CLAMP);
     use.greatestApart = lixels ? LixelsApart : OgresApart;
-
-    for (int frame = 0; frame < hardCase.settle; ++frame) {
-        if (hardCase.eachFrame) hardCase.eachFrame(scene, frame);
-        stage.drawFrame();
-    }
-    if (hardCase.change) hardCase.change(scene);
-    if (hardCase.eachFrame) hardCase.eachFrame(scene, hardCase.settle);
-    probe.map.reset();
-    stage.drawFrame();
-    if (hardCase.repair) {
-        hardCase.repair(scene);
-        probe.map.reset();
-        stage.drawFrame();
-    }
+    drawCase(scene, hardCase, [&] { probe.map.reset(); });
     return judgeFrame(scene, probe.map, use);
 }
 
