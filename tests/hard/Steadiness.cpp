@@ -41,7 +41,8 @@ struct Frame {
 
 /// What one point has in one frame.
 struct PointInMap {
-    double logTexel; ///< ln m
+    double logTexel;   ///< ln m
+    double logDensity; ///< of texels on the surface, up to a constant of the point
     /// Gradients of the map's coordinates: across the lines of its texel grid.
     std::array<Vector3d, 2> wsAxes;
 };
@@ -90,11 +91,14 @@ std::optional<PointInMap> pointIn(const Frame& frame, const SurfacePoint& point)
                       {.viewFromWorld = frame.view.vsFromWs, .clipFromView = frame.view.clipFromVs},
                       Vec2(Width, Height), point.position, point.normal);
     if (!m || !std::isfinite(*m)) return std::nullopt;
-    PointInMap result{std::log(*m), {}};
-    for (const int row : {0, 1})
-        result.wsAxes[static_cast<std::size_t>(row)] =
-            (map.row(row) - clip[row] / clip.w() * map.row(3)).head<3>().normalized();
-    return result;
+    const auto gradient = [&](int row) {
+        return Vector3d((map.row(row) - clip[row] / clip.w() * map.row(3)).head<3>() / clip.w());
+    };
+    const Vector3d u = gradient(0);
+    const Vector3d v = gradient(1);
+    return PointInMap{std::log(*m),
+                      std::log(std::abs(point.normal.dot(u.cross(v)))),
+                      {u.normalized(), v.normalized()}};
 }
 
 /** The angle in degrees by which a texel grid has turned: each of its directions, as a line, is
@@ -143,16 +147,19 @@ private:
     void compare(int number) {
         double greatest = 0.0;
         mTurns.clear();
+        mGains.clear();
         for (std::size_t i = 0; i < mPoints.size(); ++i) {
             if (!mBefore[i] || !mAfter[i]) continue;
             const double change = std::abs(mAfter[i]->logTexel - mBefore[i]->logTexel);
             greatest = std::max(greatest, change);
             mAll.push_back(change);
             mTurns.push_back(turnBetween(*mBefore[i], *mAfter[i]));
+            mGains.push_back(1.0 - std::exp(mBefore[i]->logDensity - mAfter[i]->logDensity));
         }
         mResult.greatest = std::max(mResult.greatest, greatest);
         if (quantile(mTurns, 0.5) > LeastJump) {
             ++mResult.jumps;
+            mResult.leastGain = std::min(mResult.leastGain, quantile(mGains, 0.5));
             return;
         }
         if (greatest > MostChange) ++mResult.unsteadyFrames;
@@ -166,6 +173,7 @@ private:
     std::vector<std::optional<PointInMap>> mAfter;
     std::vector<double> mAll;
     std::vector<double> mTurns;
+    std::vector<double> mGains;
     Steadiness mResult;
 };
 

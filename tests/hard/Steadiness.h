@@ -4,6 +4,8 @@
 
 #include "common/Setups.h"
 
+#include <limits>
+
 namespace Lixel::Tests {
 
 /// How a sweep is run.
@@ -27,6 +29,8 @@ struct Steadiness {
     int greatestFrame = 0;       ///< of greatestSteady
     int unsteadyFrames = 0;      ///< that change by more than MostChange without a jump
     int jumps = 0;               ///< frames in which the map's axes turn
+    /// Share of the map's area that a jump saves, the least of all of them; infinite without any.
+    double leastGain = std::numeric_limits<double>::infinity();
     int framesWithoutMap = 0;
     std::size_t measured = 0; ///< pairs of points
 };
@@ -39,6 +43,9 @@ constexpr double MostChange = 0.02;
 /// which an orientation may be given up, when it turns by 0.1 / (r + 1 / r): by more than this up
 /// to r = 5.
 constexpr double LeastJump = 1.0;
+
+/// Contract of a fit, 7: the share of its area that a jump must save.
+constexpr double LeastGain = 0.1;
 
 /** Runs the sweep on the stage, which must be new, with one instance of the setup, whose memory it
     keeps as in an application.

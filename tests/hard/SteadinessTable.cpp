@@ -107,6 +107,7 @@ nlohmann::json toJson(const Sweep& sweep, const Cell& cell) {
             {"frameOfGreatestWithoutJumps", s.greatestFrame},
             {"unsteadyFrames", s.unsteadyFrames},
             {"jumps", s.jumps},
+            {"leastGainOfJumps", s.jumps > 0 ? nlohmann::json(s.leastGain) : nlohmann::json()},
             {"framesWithoutMap", s.framesWithoutMap},
             {"measured", s.measured}};
 }
@@ -114,7 +115,9 @@ nlohmann::json toJson(const Sweep& sweep, const Cell& cell) {
 /// What Lixel's contract asks of its own setups.
 bool isSteady(const Cell& cell) {
     return cell.failure.empty() && cell.steadiness.measured > 0 &&
-           cell.steadiness.framesWithoutMap == 0 && cell.steadiness.greatestSteady <= MostChange;
+           cell.steadiness.framesWithoutMap == 0 && cell.steadiness.greatestSteady <= MostChange &&
+           // Beside what the same frame changes anyway.
+           cell.steadiness.leastGain >= LeastGain - MostChange;
 }
 
 /// Sums up each setup's column.
@@ -132,6 +135,7 @@ void printSummary(const std::vector<const Samples::NamedSetup*>& setups,
                 sum.greatestSteady = std::max(sum.greatestSteady, s.greatestSteady);
                 sum.percentile99 = std::max(sum.percentile99, s.percentile99);
                 sum.jumps += s.jumps;
+                sum.leastGain = std::min(sum.leastGain, s.leastGain);
                 sum.unsteadyFrames += s.unsteadyFrames;
                 aborts += cell.failure.empty() ? 0 : 1;
             }
@@ -145,6 +149,9 @@ void printSummary(const std::vector<const Samples::NamedSetup*>& setups,
     line("99th percentile of the worst",
          [](const Steadiness& s, int) { return fmt::format("{:.4f}", s.percentile99); });
     line("jumps", [](const Steadiness& s, int) { return fmt::format("{}", s.jumps); });
+    line("least area saved by a jump, %", [](const Steadiness& s, int) {
+        return s.jumps > 0 ? fmt::format("{:.1f}", 100.0 * s.leastGain) : "-";
+    });
     line("steps above 0.02 without a jump",
          [](const Steadiness& s, int) { return fmt::format("{}", s.unsteadyFrames); });
     line("sweeps that fail",
