@@ -156,7 +156,7 @@ const std::vector<Sweep>& sweeps() {
         viewer("pitch against the sun's direction", SunGazer, x, -gaze),
         viewer("pitch through straight down", Bird, x, slanting),
         viewer("the same under a sun overhead", Bird, x, Down),
-        spot("spot's miner's lamp", Walker, {0.5, 2.5, 0.0}, 70.0F, forward, y),
+        spot("spot's miner's lamp", Walker, {0.5, 2.5, 0.0}, 50.0F, forward, y),
         spot("spot's duel", SunGazer, lamp, 90.0F, -gaze, y),
         spot("spot straight down", Walker, {0.0, 8.0, -12.0}, 100.0F, Down, x),
         viewerAtSpot("yaw past a spot", Walker, y, {0.0, 8.0, -12.0}, 90.0F, {0.0, -1.0, -0.5}),
