@@ -19,65 +19,30 @@ namespace {
 /// The scene whose cases are shown apart.
 const std::string DuelScene = "duel";
 
-double meanOf(const std::vector<const TableCase*>& cases,
-              const std::function<double(const TableCase&)>& value) {
+double meanOf(const SomeCases& cases, const std::function<double(const TableCase&)>& value) {
     double sum = 0.0;
     for (const TableCase* one : cases)
         sum += value(*one);
     return cases.empty() ? 0.0 : sum / static_cast<double>(cases.size());
 }
 
-/// The cases that a filter lets through.
-std::vector<const TableCase*> casesWhere(const std::vector<TableCase>& cases,
-                                         const std::function<bool(const TableCase&)>& filter) {
-    std::vector<const TableCase*> found;
-    for (const TableCase& one : cases)
-        if (filter(one)) found.push_back(&one);
-    return found;
-}
-
-std::vector<const TableCase*> casesOf(const std::vector<TableCase>& cases,
-                                      const std::string& scene) {
+SomeCases casesOf(const std::vector<TableCase>& cases, const std::string& scene) {
     return casesWhere(cases, [&](const TableCase& one) { return one.scene == scene; });
 }
 
-GeometricMean ratioOf(const std::vector<const TableCase*>& cases, std::size_t setup,
-                      std::size_t baseline) {
-    std::vector<double> ratios;
-    for (const TableCase* one : cases) {
-        const double halfPixel = 50.0 / static_cast<double>(one->errors[baseline].counted());
-        ratios.push_back((one->errors[setup].error + halfPixel) /
-                         (one->errors[baseline].error + halfPixel));
-    }
-    return geometricMean(ratios);
-}
-
-std::string describe(const GeometricMean& mean) {
-    return mean.count == 0
-               ? "-"
-               : fmt::format("{:.3f} [{:.3f}, {:.3f}]", mean.mean, mean.lower, mean.upper);
-}
-
 /// Cases in which the baseline errs enough for a ratio to say something.
-std::vector<const TableCase*> tellingCases(const std::vector<TableCase>& cases,
-                                           std::size_t baseline) {
+SomeCases tellingCases(const std::vector<TableCase>& cases, std::size_t baseline) {
     return casesWhere(
         cases, [&](const TableCase& one) { return one.errors[baseline].error >= LeastBaseline; });
 }
 
 /// The second half of the table.
-void printRatios(const std::vector<TableCase>& cases, std::size_t baseline) {
-    const std::vector<NamedSetup>& setups = emulatedSetups();
-    const auto telling = tellingCases(cases, baseline);
-    const auto among = [&](const std::function<bool(const TableCase&)>& filter) {
-        std::vector<const TableCase*> some;
-        std::copy_if(telling.begin(), telling.end(), std::back_inserter(some),
-                     [&](const TableCase* one) { return filter(*one); });
-        return some;
-    };
-    const auto suns = among([](const TableCase& one) { return one.sun; });
-    const auto lamps = among([](const TableCase& one) { return !one.sun; });
-    const auto duels = among([](const TableCase& one) { return one.scene == DuelScene; });
+void printRatios(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
+                 std::size_t baseline) {
+    const SomeCases telling = tellingCases(cases, baseline);
+    const auto suns = among(telling, [](const TableCase& one) { return one.sun; });
+    const auto lamps = among(telling, [](const TableCase& one) { return !one.sun; });
+    const auto duels = among(telling, isDuel);
 
     fmt::print(
         "\nRatio to {}: paired geometric mean with its 95 % interval. {} cases of {} are left "
@@ -147,13 +112,48 @@ std::vector<TableCase> measureTable(const TableOptions& options) {
     return cases;
 }
 
-void printTable(const std::vector<TableCase>& cases, std::size_t baseline) {
-    const std::vector<NamedSetup>& setups = emulatedSetups();
+SomeCases casesWhere(const std::vector<TableCase>& cases,
+                     const std::function<bool(const TableCase&)>& filter) {
+    SomeCases found;
+    for (const TableCase& one : cases)
+        if (filter(one)) found.push_back(&one);
+    return found;
+}
+
+SomeCases among(const SomeCases& cases, const std::function<bool(const TableCase&)>& filter) {
+    SomeCases some;
+    std::copy_if(cases.begin(), cases.end(), std::back_inserter(some),
+                 [&](const TableCase* one) { return filter(*one); });
+    return some;
+}
+
+bool isDuel(const TableCase& one) {
+    return one.scene == DuelScene;
+}
+
+double errorOf(const TableCase& one, std::size_t setup) {
+    return one.errors[setup].error + 50.0 / static_cast<double>(one.errors[setup].counted());
+}
+
+GeometricMean ratioOf(const SomeCases& cases, std::size_t setup, std::size_t baseline) {
+    std::vector<double> ratios;
+    for (const TableCase* one : cases)
+        ratios.push_back(errorOf(*one, setup) / errorOf(*one, baseline));
+    return geometricMean(ratios);
+}
+
+std::string describe(const GeometricMean& mean) {
+    return mean.count == 0
+               ? "-"
+               : fmt::format("{:.3f} [{:.3f}, {:.3f}]", mean.mean, mean.lower, mean.upper);
+}
+
+void printTable(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
+                std::size_t baseline) {
     std::vector<std::string> scenes;
     for (const TableCase& one : cases)
         if (scenes.empty() || scenes.back() != one.scene) scenes.push_back(one.scene);
-    const std::vector<const TableCase*> all =
-        casesWhere(cases, [](const TableCase&) { return true; });
+    const SomeCases all = casesWhere(cases, [](const TableCase&) { return true; });
 
     fmt::print("Error in %, mean over the lights and views of a scene, {} cases in all\n\n"
                "{:<20}",
@@ -171,7 +171,7 @@ void printTable(const std::vector<TableCase>& cases, std::size_t baseline) {
                    meanOf(all, [i](const TableCase& one) { return one.errors[i].leak; }));
     }
 
-    printRatios(cases, baseline);
+    printRatios(setups, cases, baseline);
 }
 
 std::string describeRatio(const std::vector<TableCase>& cases, std::size_t setup,
@@ -179,10 +179,11 @@ std::string describeRatio(const std::vector<TableCase>& cases, std::size_t setup
     return describe(ratioOf(tellingCases(cases, baseline), setup, baseline));
 }
 
-void writeCases(const std::vector<TableCase>& cases, const std::string& file) {
+void writeCases(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
+                const std::string& file) {
     std::ofstream stream(file);
     stream << "scene,view,light";
-    for (const NamedSetup& setup : emulatedSetups())
+    for (const NamedSetup& setup : setups)
         stream << ',' << setup.name;
     stream << '\n';
     for (const TableCase& one : cases) {

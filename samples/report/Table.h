@@ -1,9 +1,11 @@
 #pragma once
 
+#include "common/Comparison.h"
 #include "common/Setups.h"
 #include "common/TruthComparison.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,13 +22,13 @@ struct TableOptions {
     int height = 480;       ///< pixels
 };
 
-/// One scene, light and view under every setup, emulated.
+/// One scene, light and view under every setup of the table, emulated.
 struct TableCase {
     std::string scene;
     std::string view;
     std::string light;
     bool sun = true;                         ///< directional
-    std::vector<ClassificationError> errors; ///< in the order of the setups
+    std::vector<ClassificationError> errors; ///< in the order of the table's setups
 };
 
 /// The errors of every setup in every scene; says on the error stream how far it is.
@@ -39,9 +41,27 @@ std::vector<TableCase> measureTable(const TableOptions& options);
     of the scene `duel` (suns, too) and of lamps; half a pixel is added to both errors, so that no
    error at all has a ratio too. Cases in which the baseline's error is below LeastBaseline say
    nothing and are left out, and counted.
-    @param baseline index into emulatedSetups()
+    @param setups the table's
+    @param baseline index into them
 */
-void printTable(const std::vector<TableCase>& cases, std::size_t baseline);
+void printTable(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
+                std::size_t baseline);
+
+/// Some of a table's cases.
+using SomeCases = std::vector<const TableCase*>;
+/// Those that a filter lets through.
+SomeCases casesWhere(const std::vector<TableCase>& cases,
+                     const std::function<bool(const TableCase&)>& filter);
+SomeCases among(const SomeCases& cases, const std::function<bool(const TableCase&)>& filter);
+/// Whether a case belongs to the scene whose cases are shown apart.
+bool isDuel(const TableCase& one);
+
+/// A case's error in percent, and half a pixel.
+double errorOf(const TableCase& one, std::size_t setup);
+/// The paired mean of one setup's errors over another's, by their indices.
+GeometricMean ratioOf(const SomeCases& cases, std::size_t setup, std::size_t baseline);
+/// Such as "0.950 [0.890, 1.020]"; "-" of no cases.
+std::string describe(const GeometricMean& mean);
 
 /// A setup's errors relative to a baseline's, as printTable has them over all cases, for people.
 std::string describeRatio(const std::vector<TableCase>& cases, std::size_t setup,
@@ -52,6 +72,7 @@ constexpr double LeastBaseline = 0.01;
 
 /// Writes every case as comma separated values: scene, view, light, then one error per setup.
 /// @exception std::runtime_error where the file cannot be written
-void writeCases(const std::vector<TableCase>& cases, const std::string& file);
+void writeCases(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
+                const std::string& file);
 
 } // namespace Lixel::Samples

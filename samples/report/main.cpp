@@ -2,6 +2,7 @@
 
 #include "common/Comparison.h"
 #include "common/Setups.h"
+#include "report/BestXpsm.h"
 #include "report/Budgets.h"
 #include "report/Table.h"
 
@@ -24,6 +25,7 @@ struct Options {
     bool firstView = false;
     bool table = false;
     bool budgets = false;
+    bool bestXpsm = false;
     std::string casesFile;
 };
 
@@ -42,7 +44,7 @@ std::vector<ComparedCase> compareScene(const std::string& name, const Options& o
 
 /// All setups in one table, or one of them with all it may spend. @return the program's exit status
 int makeTable(const Options& options) {
-    const auto& setups = emulatedSetups();
+    const std::vector<NamedSetup>& setups = emulatedSetups();
     const auto baseline = std::find_if(setups.begin(), setups.end(), [&](const NamedSetup& setup) {
         return setup.name == options.baseline;
     });
@@ -55,13 +57,17 @@ int makeTable(const Options& options) {
     table.lights = options.lights;
     table.firstView = options.firstView;
     try {
+        if (options.bestXpsm) {
+            printBestXpsm(table);
+            return 0;
+        }
         if (options.budgets) {
             printBudgets(table);
             return 0;
         }
         const std::vector<TableCase> cases = measureTable(table);
-        printTable(cases, static_cast<std::size_t>(baseline - setups.begin()));
-        if (!options.casesFile.empty()) writeCases(cases, options.casesFile);
+        printTable(setups, cases, static_cast<std::size_t>(baseline - setups.begin()));
+        if (!options.casesFile.empty()) writeCases(setups, cases, options.casesFile);
     } catch (const std::exception& error) {
         fmt::print(stderr, "lixel-report: {}\n", error.what());
         return 1;
@@ -85,8 +91,11 @@ int main(int argc, char** argv) {
     app.add_flag("--budgets", options.budgets,
                  "Optimal alone, by samples and evaluations, with its time, by emulation");
     app.add_option("--cases", options.casesFile, "With --table: a file for every case's errors");
+    app.add_flag(
+        "--best-xpsm", options.bestXpsm,
+        "Optimal beside XPSM with the constants that are best for each scene, by emulation");
     CLI11_PARSE(app, argc, argv);
-    if (options.table || options.budgets) return makeTable(options);
+    if (options.table || options.bestXpsm || options.budgets) return makeTable(options);
     for (const std::string& name : {options.setup, options.baseline}) {
         if (findShadowSetup(name) == nullptr) {
             fmt::print(stderr, "lixel-report: there is no setup '{}'\n", name);

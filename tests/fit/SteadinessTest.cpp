@@ -1,19 +1,17 @@
 /** Contract, 7: with the same bodies, turning the viewer or the light by 1e-4 rad changes ln m at
-    points of the common focus region by at most 0.02.
-
-    m (Lloyd et al.) is 1 / σ_min(d texel / d pixel) on the receiver's tangent plane.
+    points of the common focus region by at most 0.02. @see fit/TexelInPixels.h for m
 */
 #include "Oracle.h"
 
 #include "fit/FocusRegion.h"
 #include "fit/LightImage.h"
 #include "fit/Polygon2.h"
+#include "fit/TexelInPixels.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <iomanip>
 #include <numbers>
@@ -41,17 +39,10 @@ std::optional<double> logTexelInPixels(const Scene& scene, const ShadowFit& fit,
     const Vec3 toEye = (eyeOf(scene.viewer) - s.ws).normalized();
     if (s.normal.dot(toEye) < LeastCosine) return std::nullopt;
     if (s.normal.dot(towardsLight(scene.light, s.ws)) < LeastCosine) return std::nullopt;
-    const Vec3 a = s.normal.unitOrthogonal();
-    const Vec3 b = s.normal.cross(a);
-    const Mat4 viewClip = scene.viewer.clipFromView * scene.viewer.viewFromWorld;
-    const Vec2 mapSize(scene.mapWidth, scene.mapHeight);
-    Eigen::Matrix2d texel;
-    texel << derivative(fit.clipFromWorld, mapSize, s.ws, a),
-        derivative(fit.clipFromWorld, mapSize, s.ws, b);
-    Eigen::Matrix2d pixel;
-    pixel << derivative(viewClip, ScreenSize, s.ws, a), derivative(viewClip, ScreenSize, s.ws, b);
-    const Eigen::Matrix2d texelPerPixel = texel * pixel.inverse();
-    return -std::log(texelPerPixel.jacobiSvd().singularValues()[1]);
+    const auto m = texelInPixels(fit, Vec2(scene.mapWidth, scene.mapHeight), scene.viewer,
+                                 ScreenSize, s.ws, s.normal);
+    if (!m) return std::nullopt;
+    return std::log(*m);
 }
 
 /// Whether the ray of a point is within the region that the map was fitted to.

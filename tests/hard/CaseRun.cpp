@@ -1,18 +1,13 @@
 #include "CaseRun.h"
 
+#include "ChildProcess.h"
+
 #include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
-
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstring>
-#include <stdexcept>
 
 namespace Lixel::Tests {
 namespace {
@@ -66,28 +61,6 @@ void shareAmong(Ogre::SceneManager& manager, std::size_t maps) {
         manager.setShadowTextureConfig(i, one);
 }
 
-Message toMessage(const CaseResult& result) {
-    Message message{result.ok, {}, result.losses};
-    result.text.copy(message.text.data(), message.text.size() - 1);
-    return message;
-}
-
-[[noreturn]] void runChild(int output, Samples::Stage& stage, const HardCase& hardCase,
-                           const Samples::NamedSetup& setup) {
-    alarm(TimeLimit);
-    // What OGRE has to say about an assertion is said by "abort".
-    dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
-    CaseResult result;
-    try {
-        result = runCase(stage, hardCase, setup);
-    } catch (const std::exception& exception) {
-        result.text = fmt::format("throws: {}", exception.what());
-    }
-    const Message message = toMessage(result);
-    const bool written = write(output, &message, sizeof message) == sizeof message;
-    _exit(written ? 0 : 1);
-}
-
 } // namespace
 
 const std::vector<Samples::NamedSetup>& judgedSetups() {
@@ -129,16 +102,35 @@ bool isLixels(const Samples::NamedSetup& setup) {
     return !setup.name.starts_with("Ogre");
 }
 
-CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
-                   const Samples::NamedSetup& setup) {
-    const bool lixels = isLixels(setup);
-    stage.setShadowSetup(setup.create());
-    HardScene scene(stage);
+void buildCase(HardScene& scene, const HardCase& hardCase) {
     hardCase.build(scene);
     if (scene.mapWidth != 1024 || scene.mapHeight != 1024)
         scene.manager().setShadowTextureConfig(0, static_cast<unsigned short>(scene.mapWidth),
                                                static_cast<unsigned short>(scene.mapHeight),
                                                Ogre::PF_FLOAT32_R);
+}
+
+void drawCase(HardScene& scene, const HardCase& hardCase, const std::function<void()>& judged) {
+    for (int frame = 0; frame < hardCase.settle; ++frame) {
+        if (hardCase.eachFrame) hardCase.eachFrame(scene, frame);
+        scene.stage.drawFrame();
+    }
+    if (hardCase.change) hardCase.change(scene);
+    if (hardCase.eachFrame) hardCase.eachFrame(scene, hardCase.settle);
+    judged();
+    scene.stage.drawFrame();
+    if (!hardCase.repair) return;
+    hardCase.repair(scene);
+    judged();
+    scene.stage.drawFrame();
+}
+
+CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
+                   const Samples::NamedSetup& setup) {
+    const bool lixels = isLixels(setup);
+    stage.setShadowSetup(setup.create());
+    HardScene scene(stage);
+    buildCase(scene, hardCase);
     const std::size_t maps = lixels ? std::max(setup.maps, hardCase.maps) : 1;
     if (maps > 1) shareAmong(scene.manager(), maps);
     MapProbe probe(scene, lixels);
@@ -147,43 +139,23 @@ CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
     use.clampsDepth = lixels && stage.root().getRenderSystem()->getCapabilities()->hasCapability(
                                     Ogre::RSC_DEPTH_CLAMP);
     use.greatestApart = lixels ? LixelsApart : OgresApart;
-
-    for (int frame = 0; frame < hardCase.settle; ++frame) {
-        if (hardCase.eachFrame) hardCase.eachFrame(scene, frame);
-        stage.drawFrame();
-    }
-    if (hardCase.change) hardCase.change(scene);
-    if (hardCase.eachFrame) hardCase.eachFrame(scene, hardCase.settle);
-    probe.maps.clear();
-    stage.drawFrame();
-    if (hardCase.repair) {
-        hardCase.repair(scene);
-        probe.maps.clear();
-        stage.drawFrame();
-    }
+    drawCase(scene, hardCase, [&] { probe.maps.clear(); });
     return judgeFrame(scene, probe.maps, use);
 }
 
 CaseResult runCaseApart(Samples::Stage& stage, const HardCase& hardCase,
                         const Samples::NamedSetup& setup) {
-    std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe to a child process");
-    std::fflush(nullptr);
-    const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("no child process");
-    if (child == 0) runChild(ends[1], stage, hardCase, setup);
-    close(ends[1]);
     Message message{};
-    const bool complete = read(ends[0], &message, sizeof message) == sizeof message;
-    close(ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (complete) return {message.ok, message.text.data(), message.losses};
-    CaseResult result;
-    result.text = !WIFSIGNALED(status)          ? "exits"
-                  : WTERMSIG(status) == SIGALRM ? "hangs"
-                  : WTERMSIG(status) == SIGABRT ? "abort"
-                                                : "crashes";
+    const auto work = [&] {
+        const CaseResult result = runCase(stage, hardCase, setup);
+        message.ok = result.ok;
+        message.losses = result.losses;
+        result.text.copy(message.text.data(), message.text.size() - 1);
+    };
+    const std::string failure =
+        runApart(TimeLimit, work, std::as_writable_bytes(std::span(&message, 1)));
+    CaseResult result{message.ok, message.text.data(), message.losses};
+    if (!failure.empty()) result.text = failure;
     return result;
 }
 

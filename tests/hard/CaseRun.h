@@ -23,6 +23,14 @@ const std::vector<Samples::NamedSetup>& judgedSetups();
 /// Whether it is one of Lixel's own.
 bool isLixels(const Samples::NamedSetup& setup);
 
+/// Builds the case, with maps of the size that it asks for.
+void buildCase(HardScene& scene, const HardCase& hardCase);
+/** Draws its frames.
+    @param judged called right before the frame that is judged, and again where one after it, with
+    bad input repaired, is judged instead
+*/
+void drawCase(HardScene& scene, const HardCase& hardCase, const std::function<void()>& judged);
+
 /** Builds the case on the stage, which must be new, and judges it.
 
     @exception whatever OGRE or the oracle throws; OGRE may also abort the process

@@ -82,8 +82,7 @@ std::vector<ShadowedPoint> findShadowed(HardScene& scene, const Vector3d& wsOrig
         ray.origin = point.position + oracle.rayOffset() * towards;
         oracle.firstCasters({&ray, 1}, CasterFaces::Fronts, {&distance, 1});
         if (!std::isfinite(distance)) continue;
-        shadowed.push_back(
-            {point.position, ray.origin + distance * towards, -towards, tolerance});
+        shadowed.push_back({point.position, ray.origin + distance * towards, -towards, tolerance});
     }
     return shadowed;
 }

@@ -1,6 +1,7 @@
 // Named hard cases: what each shadow setup loses on each of them.
 
 #include "CaseRun.h"
+#include "ExpectedExtent.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -17,6 +18,7 @@ struct Options {
     std::string setupName;
     std::string json;
     bool lixelsOnly = false;
+    bool extent = false;
     bool check = false;
 };
 
@@ -71,8 +73,12 @@ nlohmann::json toJson(const HardCase& hardCase, const Samples::NamedSetup& setup
 int run(const Options& options) {
     // Child processes are copies without this one's threads, so Mesa must have none.
     setenv("LP_NUM_THREADS", "0", 1);
-    const auto setups = chosenSetups(options);
     const auto cases = chosenCases(options);
+    if (options.extent) {
+        const int worse = printExtents(cases);
+        return options.check && worse > 0 ? 1 : 0;
+    }
+    const auto setups = chosenSetups(options);
     Samples::Stage stage({.headless = true, .width = 320, .height = 240});
     const bool one = setups.size() == 1 && cases.size() == 1;
     int failures = 0;
@@ -120,7 +126,12 @@ int main(int argc, char** argv) {
     app.add_option("--setup", options.setupName, "one setup alone; with --case in this process");
     app.add_option("--json", options.json, "file for all numbers");
     app.add_flag("--lixel", options.lixelsOnly, "Lixel's own setups only");
-    app.add_flag("--check", options.check, "fail unless Lixel's setups do what is expected");
+    app.add_flag("--extent", options.extent,
+                 "instead, how large XPSM's texels are expected to be, guarded and not, relative "
+                 "to a uniform map's; of the samples' scenes too");
+    app.add_flag("--check", options.check,
+                 "fail unless Lixel's setups do what is expected; with --extent, unless guarded "
+                 "XPSM is nowhere expected to be worse than a uniform map");
     CLI11_PARSE(app, argc, argv);
     try {
         return Lixel::Tests::run(options);
