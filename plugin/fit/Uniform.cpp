@@ -96,14 +96,32 @@ bool sphereInView(const ShadowProblem& problem, FitState& state, Sphere& sphere)
     return true;
 }
 
-/// A square of the light image that a map shows, from its middle on.
-Mat3 squareMap(const Vec2& middle, double half, const Vec2& inner, const Vec2& size) {
+/// A square of the light image that a map shows, from its middle on, in the map's own axes.
+Mat3 squareMap(const Vec2& axis, const Vec2& middle, double half, const Vec2& inner,
+               const Vec2& size) {
     const Vec2 scale = inner.cwiseQuotient(size) / half;
     Mat3 map = Mat3::Identity();
-    map(0, 0) = scale.x();
-    map(1, 1) = scale.y();
-    map.topRightCorner<2, 1>() = -scale.cwiseProduct(middle);
+    map.topLeftCorner<2, 2>() << axis.x(), axis.y(), -axis.y(), axis.x();
+    map.topRightCorner<2, 1>() = -middle;
+    map.topRows<2>() = scale.asDiagonal() * map.topRows<2>().eval();
     return map;
+}
+
+/// The map's x axis in the light image: the last frame's, carried along with the light, so that a
+/// sun that moves turns the texels with it and no further. Light space itself may turn at once.
+Vec2 steadyAxis(const LightImage& image, FitState& state) {
+    // Of a vector that was all of length 1; a light that has turned by a right angle is another.
+    constexpr double LeastLength = 0.5;
+    // Where nothing moved, nothing may creep.
+    constexpr double Same = 1e-12;
+    Vec2 axis = Vec2::UnitX();
+    if (state.wsMapAxis) {
+        const Vec2 kept = image.lsFromDirection(*state.wsMapAxis).head<2>();
+        if (std::abs(kept.norm() - 1.0) < Same) return kept;
+        if (kept.norm() > LeastLength) axis = kept.normalized();
+    }
+    state.wsMapAxis = image.lsFromWs().transpose() * Vec3(axis.x(), axis.y(), 0.0);
+    return axis;
 }
 
 WarpChoice stableMap(const WarpContext& context) {
@@ -111,13 +129,14 @@ WarpChoice stableMap(const WarpContext& context) {
     const LightImage& image = context.image;
     const Vec2 size(problem.mapWidth, problem.mapHeight);
     const double border = leastBorder(problem.filterRadius) + PositionBorder;
+    const Vec2 axis = steadyAxis(image, context.state);
     WarpChoice choice;
     if (!image.directional()) {
         // Not narrower than what leaves texels to a float.
         const double half = std::max(std::tan(problem.light.outerHalfAngle) * (1.0 + Slack),
                                      LeastTexel * size.maxCoeff());
         choice.homography =
-            squareMap(Vec2::Zero(), half, size - Vec2::Constant(2.0 * border), size);
+            squareMap(axis, Vec2::Zero(), half, size - Vec2::Constant(2.0 * border), size);
         return choice;
     }
     Sphere sphere;
@@ -127,14 +146,17 @@ WarpChoice stableMap(const WarpContext& context) {
         choice.reason = FitReason::ViewWithoutEnd;
         return choice;
     }
+    const auto turned = [&](const Vec3& ls) {
+        return Vec2(axis.dot(ls.head<2>()), cross(axis, ls.head<2>()));
+    };
     // Texels are counted from the world's own origin.
-    const Vec2 origin = image.lsFromDirection(problem.wsOrigin).head<2>();
-    const Vec2 middle = image.lsFromPoint(sphere.wsCentre).head<2>();
+    const Vec2 origin = turned(image.lsFromDirection(problem.wsOrigin));
+    const Vec2 middle = turned(image.lsFromPoint(sphere.wsCentre));
     const Vec2 texel = (2.0 * sphere.radius * inner.cwiseInverse()).eval();
     const Vec2 snapped =
         (origin + middle).cwiseQuotient(texel).array().round().matrix().cwiseProduct(texel) -
         origin;
-    choice.homography = squareMap(snapped, sphere.radius, inner, size);
+    choice.homography = squareMap(axis, snapped, sphere.radius, inner, size);
     return choice;
 }
 
