@@ -18,12 +18,19 @@ constexpr double LeastNearRatio = 1e-4;
 
 constexpr std::size_t Samples = 256;
 
-void settle(double found, double& depth) {
-    if (!(depth > 0.0)) depth = found;
-    const double step = std::log(found / depth);
-    depth = std::abs(step) > CutStep
-                ? found
-                : depth * std::exp(std::clamp(step, -GreatestStep, GreatestStep));
+/// Both ends move together: one that jumps may come by the other.
+void settle(double nearest, double farthest, CascadeMemory& memory) {
+    const double nearStep = std::log(nearest / memory.nearest);
+    const double farStep = std::log(farthest / memory.farthest);
+    // Negated, so that it holds where there was nothing before.
+    if (!(std::abs(nearStep) <= CutStep) || !(std::abs(farStep) <= CutStep)) {
+        memory.nearest = nearest;
+        memory.farthest = farthest;
+        return;
+    }
+    memory.nearest *= std::exp(std::clamp(nearStep, -GreatestStep, GreatestStep));
+    memory.farthest *= std::exp(std::clamp(farStep, -GreatestStep, GreatestStep));
+    memory.nearest = std::min(memory.nearest, memory.farthest);
 }
 
 /// Depths of what is seen; false where nothing is.
@@ -46,10 +53,7 @@ bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
         }
         nearest = std::max(nearest, LeastNearRatio * farthest);
         found = nearest > 0.0 && std::isfinite(farthest);
-        if (found) {
-            settle(nearest, memory.nearest);
-            settle(farthest, memory.farthest);
-        }
+        if (found) settle(nearest, farthest, memory);
         return WarpChoice{};
     };
     fitWithRule(problem, state, look);

@@ -58,11 +58,22 @@ void shuffle(std::span<Vec3> directions) {
     }
 }
 
+/// Whether the cone holds all directions, but for what rounding may have moved its axis by.
+bool holdsAll(const Cone& cone, std::span<const Vec3> directions) {
+    constexpr double AxisRounding = 1e-6;
+    for (const Vec3& direction : directions)
+        if (!((direction - cone.axis).norm() <= cone.reach + AxisRounding)) return false;
+    return true;
+}
+
 } // namespace
 
-Vec3 smallestConeAxis(std::span<Vec3> directions) {
+Vec3 smallestConeAxis(std::span<Vec3> directions, double widest) {
     if (directions.empty()) return Vec3::Zero();
     shuffle(directions);
+    // Cones only grow. Where directions have no half space in common, they also stop to hold those
+    // that came before; in a random order both shows after a few directions.
+    const double widestReach = 2.0 * std::sin(widest / 2.0) * (1.0 + ChordRounding);
     Cone cone(directions[0], directions[0]);
     for (std::size_t i = 1; i < directions.size(); ++i) {
         if (cone.holds(directions[i])) continue;
@@ -74,6 +85,8 @@ Vec3 smallestConeAxis(std::span<Vec3> directions) {
                 if (!cone.holds(directions[k]))
                     cone = through(directions[i], directions[j], directions[k]);
         }
+        if (!(cone.reach <= widestReach) || !holdsAll(cone, directions.first(i)))
+            return Vec3::Zero();
     }
     return cone.axis;
 }

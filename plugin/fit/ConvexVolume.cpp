@@ -108,8 +108,17 @@ ConvexVolume viewVolume(const ShadowViewer& viewer) {
     return volume;
 }
 
+Mat4 withDepthAhead(const Mat4& clipFromView) {
+    Mat4 result = clipFromView;
+    // The sign of d(z / w) / d(depth) along the view's axis, where z = z0 - zz depth and so on.
+    const double slope =
+        clipFromView(2, 3) * clipFromView(3, 2) - clipFromView(2, 2) * clipFromView(3, 3);
+    if (slope < 0.0) result.row(2) *= -1.0;
+    return result;
+}
+
 bool viewBounds(const ShadowViewer& viewer, Box& box) {
-    const Mat4 clipFromWorld = viewer.clipFromView * viewer.viewFromWorld;
+    const Mat4 clipFromWorld = withDepthAhead(viewer.clipFromView) * viewer.viewFromWorld;
     const Mat4 worldFromClip = clipFromWorld.inverse();
     Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());
     Vec3 upper = -lower;

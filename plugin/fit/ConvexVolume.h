@@ -42,6 +42,10 @@ private:
 */
 ConvexVolume viewVolume(const ShadowViewer& viewer);
 
+/// The projection with clip z turned about where it falls with depth (reversed Z): what comes first
+/// along a ray of the view has the lesser z then, whatever a depth buffer is to hold.
+Mat4 withDepthAhead(const Mat4& clipFromView);
+
 /// Finds a box that holds what the viewer sees, for bodies without bounds.
 /// @return false where the view has no bounds either
 bool viewBounds(const ShadowViewer& viewer, Box& box);

@@ -108,6 +108,7 @@ ShadowParts wholeLight(const ShadowLight& light) {
 ShadowParts sliceView(const ShadowViewer& viewer, const ShadowLight& light,
                       std::span<const double> vsSplits) {
     ShadowParts parts = wholeLight(light);
+    vsSplits = vsSplits.first(std::min(vsSplits.size(), ShadowParts::Capacity - 1));
     const Vec4 depth = -viewer.viewFromWorld.row(2).transpose();
     Vec4 row = Vec4::Zero();
     for (const double split : vsSplits) {

@@ -74,8 +74,9 @@ LIXEL_API ShadowParts aimedSpot(const ShadowProblem& problem, AimScratch& scratc
 LIXEL_API ShadowParts cubeAround(const ShadowLight& light);
 
 /** Kozlov's cube map of post-projective space (2004, §14.2.2, "Using Cube Maps"): faces of the
-    viewer's volume that look away from the light, three to five of them for a directional light,
-    all six for a light within.
+    viewer's volume that look away from the light, one to five of them for a directional light
+   (Kozlov has three to five; a light straight from behind needs but the far one), all six for a
+   light within.
 
     A light ray belongs to the face through which it leaves the volume. In homogeneous world
     coordinates, with planes n_i (positive inside) and the light L, x - t L runs away from the light

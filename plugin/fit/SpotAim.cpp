@@ -26,7 +26,7 @@ bool addRange(const ShadowLight& light, ConvexVolume& volume) {
 }
 
 /// Directions from the light to all that the volume leaves of the boxes.
-/// @return whether there are any, and none of the boxes holds the light
+/// @return whether there are any
 bool directionsTo(const BoxSet& boxes, const ConvexVolume& volume, const Vec3& wsLight,
                   AimScratch& scratch) {
     scratch.directions.clear();
@@ -54,7 +54,8 @@ bool spotAround(const ShadowLight& light, double widest, std::vector<Vec3>& dire
                 ShadowLight& spot) {
     for (Vec3& direction : directions)
         direction.stableNormalize();
-    const Vec3 axis = smallestConeAxis(directions);
+    const Vec3 axis = smallestConeAxis(directions, widest);
+    if (axis.isZero(0.0)) return false;
     double leastCosine = 1.0;
     for (const Vec3& direction : directions)
         leastCosine = std::min(leastCosine, direction.dot(axis));

@@ -22,8 +22,8 @@ inline constexpr double WidestAim = 1.3962634015954636;
     light's range, and that of the casters within it; only what is in both can be shadowed.
 
     @param[out] spot the light as a spot, where there is one
-    @return whether a cone of WidestAim holds one of them. Also where there is nothing to shadow, or
-    where bodies have no bounds; then the cone is as good as any.
+    @return whether a cone of WidestAim holds one of them, in which bodies without bounds have no
+   part. Where there is nothing to shadow the cone is as good as any.
 */
 bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spot);
 

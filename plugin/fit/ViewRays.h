@@ -41,6 +41,7 @@ public:
     static constexpr double Disc = 3.0;
 
     /// Sends rays off the middles of cells, so that they do not line up with rows of objects.
+    /// @param clipFromWorld with z growing away from the viewer, @see withDepthAhead
     void cast(const Mat4& clipFromWorld);
 
     /** Shortens rays to the boxes that they meet, but for those of known surfaces. A box that a ray

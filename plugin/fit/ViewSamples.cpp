@@ -250,7 +250,7 @@ void visitSpread(std::size_t count, const Visit& visit) {
 /// Traces view rays against the receivers: their known surfaces, and the boxes of all others.
 void traceReceivers(const ShadowProblem& problem, const LightImage& image,
                     const BoxSet& receiversInView, ViewRays& rays) {
-    rays.cast(problem.viewer.clipFromView * problem.viewer.viewFromWorld);
+    rays.cast(withDepthAhead(problem.viewer.clipFromView) * problem.viewer.viewFromWorld);
     // What is in view but not lit, or in another map's part, hides what is: a directional light
     // without parts has neither.
     if (image.directional() && problem.part == nullptr && problem.surfaces.empty())

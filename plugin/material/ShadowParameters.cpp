@@ -7,7 +7,6 @@
 #include <OgreLight.h>
 #include <OgreSceneManager.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace Lixel {
@@ -24,6 +23,10 @@ constexpr double RoundingBias = 0x1p-19;
 struct ReceiverParameters {
     Ogre::Vector4 rowU, rowV, rowW, rowDepth, sizeBias, rowShare;
 };
+
+/// As many maps of a light as Lixel's materials read: a program keeps zeros, or the last light's
+/// values, of what a light does not have.
+constexpr std::size_t MostMapsRead = 6;
 
 /// Beyond any depth, and a float.
 constexpr Ogre::Real Endless = Ogre::Real(1e30);
@@ -87,14 +90,11 @@ void bind(Ogre::Light& light, std::size_t map, const ReceiverParameters& p) {
     set(LP_MAP_ROW_SHARE, p.rowShare);
 }
 
-/// Where the map's slice ends, beside those of the maps before it.
-void bindSplit(const ShadowMap& map) {
-    if (map.iteration >= 4) return;
-    Ogre::Vector4 depths(Endless, Endless, Endless, Endless);
-    if (map.iteration > 0) depths = map.light.getCustomParameter(LP_SPLIT_DEPTHS);
-    if (std::isfinite(map.part.vsEnd))
-        depths[map.iteration] = static_cast<Ogre::Real>(map.part.vsEnd);
-    map.light.setCustomParameter(LP_SPLIT_DEPTHS, depths);
+/// Every map's parameters of a light that has none.
+void bindLit(Ogre::Light& light) {
+    for (std::size_t map = 0; map < MostMapsRead; ++map)
+        bind(light, map, lit());
+    light.setCustomParameter(LP_SPLIT_DEPTHS, Ogre::Vector4(Endless, Endless, Endless, Endless));
 }
 
 } // namespace
@@ -108,15 +108,24 @@ public:
     /// every light gets one, which says "lit", before maps are fitted.
     void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
         if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
+        letAllBeLit(*source);
+    }
+
+    void letAllBeLit(Ogre::SceneManager& source) {
         mMaps.clear();
+        mSplits.clear();
         for (const auto& [name, object] :
-             source->getMovableObjects(Ogre::LightFactory::FACTORY_TYPE_NAME)) {
-            auto& light = static_cast<Ogre::Light&>(*object);
-            for (std::size_t map = 0; map < mOwner.mMapCount; ++map)
-                bind(light, map, lit());
-            light.setCustomParameter(LP_SPLIT_DEPTHS,
-                                     Ogre::Vector4(Endless, Endless, Endless, Endless));
-        }
+             source.getMovableObjects(Ogre::LightFactory::FACTORY_TYPE_NAME))
+            bindLit(static_cast<Ogre::Light&>(*object));
+    }
+
+    /// Where the map's slice ends, beside those of the maps before it.
+    void bindSplit(const ShadowMap& map) {
+        Ogre::Vector4& depths =
+            mSplits.try_emplace(&map.light, Endless, Endless, Endless, Endless).first->second;
+        if (map.iteration < 4 && std::isfinite(map.part.vsEnd))
+            depths[map.iteration] = static_cast<Ogre::Real>(map.part.vsEnd);
+        map.light.setCustomParameter(LP_SPLIT_DEPTHS, depths);
     }
 
     void shadowTextureReceiverPreViewProj(Ogre::Light* light, Ogre::Frustum*) override {
@@ -137,6 +146,7 @@ public:
     }
 
     std::map<const Ogre::Light*, ReceiverParameters> mMaps;
+    std::map<const Ogre::Light*, Ogre::Vector4> mSplits;
 
 private:
     ShadowParameters& mOwner;
@@ -156,11 +166,12 @@ void ShadowParameters::shadowMapFitted(const ShadowMap& map) {
     if (!listener) {
         listener = std::make_unique<SceneListener>(*this);
         map.sceneManager.addListener(listener.get());
+        // The listener is too late for this frame's beginning.
+        listener->letAllBeLit(map.sceneManager);
     }
     const ReceiverParameters parameters = receiverParameters(map);
     bind(map.light, map.iteration, parameters);
-    mMapCount = std::max(mMapCount, map.iteration + 1);
-    bindSplit(map);
+    listener->bindSplit(map);
     map.light.setCustomParameter(LP_CASTER_DEPTH,
                                  Ogre::Vector4(static_cast<Ogre::Real>(map.fit.depthScale),
                                                static_cast<Ogre::Real>(map.fit.depthOffset), 0, 0));

@@ -52,8 +52,6 @@ public:
     void shadowMapFitted(const ShadowMap& map) override;
 
 private:
-    /// As many maps as any light has had: lights that have fewer need values for all of them.
-    std::size_t mMapCount = 1;
     class SceneListener;
     std::map<Ogre::SceneManager*, std::unique_ptr<SceneListener>> mListeners;
 };

@@ -13,7 +13,7 @@ CascadesShadowCameraSetup::CascadesShadowCameraSetup(const Ogre::ShadowCameraSet
     : mTechnique(std::dynamic_pointer_cast<const FittedShadowCameraSetup>(technique)) {
     if (!mTechnique || dynamic_cast<const CascadesShadowCameraSetup*>(mTechnique.get()) != nullptr)
         OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                    "technique: cascades are made of one of Lixel's setups with a single map",
+                    "technique: cascades are made of one of Lixel's setups, but not of cascades",
                     "CascadesShadowCameraSetup");
 }
 

@@ -19,9 +19,9 @@ namespace Lixel {
 */
 class LIXEL_API CascadesShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    /// @param technique of each slice's map; its filter radius and bias do not count, this setup's
-    /// do
-    /// @throws Ogre::InvalidParametersException unless it is one of Lixel's, of a single map
+    /// @param technique of each slice's map; its filter radius, bias and visible points do not
+    /// count, this setup's do
+    /// @throws Ogre::InvalidParametersException unless it is one of Lixel's, and no cascades
     explicit CascadesShadowCameraSetup(const Ogre::ShadowCameraSetupPtr& technique);
 
     /// With Optimal in each slice.

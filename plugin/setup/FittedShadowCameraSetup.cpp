@@ -10,11 +10,14 @@
 
 #include <OgreCamera.h>
 #include <OgreException.h>
+#include <OgreHardwarePixelBuffer.h>
 #include <OgreLight.h>
 #include <OgreLogManager.h>
+#include <OgreRenderTexture.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
+#include <OgreTexture.h>
 #include <OgreViewport.h>
 
 #include <algorithm>
@@ -72,6 +75,16 @@ void logReason(const Ogre::Light& light, FitReason reason) {
     logWarning(message);
 }
 
+/// Shadow textures from a camera's own on: OGRE gives lights what is left.
+std::size_t texturesFrom(const Ogre::Camera& shadowCamera, Ogre::SceneManager& sceneManager) {
+    const Ogre::RenderTarget* const target = shadowCamera.getViewport()->getTarget();
+    const std::size_t count = sceneManager.getShadowTextureConfigList().size();
+    for (std::size_t i = 0; i < count; ++i)
+        if (sceneManager.getShadowTexture(i)->getBuffer()->getRenderTarget() == target)
+            return count - i;
+    return count;
+}
+
 /// What serves no point at all.
 const ShadowPart Nowhere = [] {
     ShadowPart part;
@@ -100,11 +113,13 @@ void place(Ogre::Camera& camera, const ShadowFit& fit, const Vec3& wsOrigin) {
 /// What is remembered of one light and viewer.
 struct FittedShadowCameraSetup::LightMemory {
     DivisionMemory division;
+    /// The application's, relative to the viewer.
+    std::vector<VisiblePoint> visiblePoints;
     CasterSearch search;
     /// This preparation's, from its first map on.
     ShadowParts parts;
     const BoxSet* casters = nullptr;
-    double casterMicroseconds = 0.0;
+    std::size_t maps = 0;
     /// The first part that no map was asked for yet.
     std::size_t nextPart = 0;
     /// Of each part.
@@ -156,19 +171,44 @@ void FittedShadowCameraSetup::setDepthBias(Ogre::Real worldUnits) {
     mDepthBias = worldUnits;
 }
 
-/// How many maps the light has. OGRE draws more than one right only under integrated techniques.
 std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
-                                            const Ogre::SceneManager& sceneManager,
-                                            LightMemory& memory) {
-    const std::size_t textures = sceneManager.getShadowTextureCountPerLightType(light.getType());
-    const bool tooMany = textures > 1 && !sceneManager.isShadowTechniqueIntegrated();
-    if (tooMany && !memory.warnedMaps)
-        Ogre::LogManager::getSingleton().logError(
-            "Lixel: light '" + light.getName() + "' has " + std::to_string(textures) +
-            " shadow textures, and OGRE uses more than one of a light only under an integrated "
-            "shadow technique, such as SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED; it gets one map");
-    memory.warnedMaps = tooMany;
-    return tooMany ? 1 : std::clamp<std::size_t>(textures, 1, ShadowParts::Capacity);
+                                            const Ogre::Camera& shadowCamera,
+                                            Ogre::SceneManager& sceneManager, LightMemory& memory) {
+    const std::size_t wanted = sceneManager.getShadowTextureCountPerLightType(light.getType());
+    if (wanted <= 1) return 1;
+    if (!sceneManager.isShadowTechniqueIntegrated()) {
+        if (!memory.warnedMaps)
+            Ogre::LogManager::getSingleton().logError(
+                "Lixel: light '" + light.getName() + "' has " + std::to_string(wanted) +
+                " shadow textures, and OGRE uses more than one of a light only under an "
+                "integrated shadow technique, such as SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED; it "
+                "gets one map");
+        memory.warnedMaps = true;
+        return 1;
+    }
+    const std::size_t left = texturesFrom(shadowCamera, sceneManager);
+    if (left < wanted && !memory.warnedMaps)
+        logWarning("light '" + light.getName() + "' should have " + std::to_string(wanted) +
+                   " shadow maps, and there are textures for " + std::to_string(left) +
+                   " (SceneManager::setShadowTextureCount)");
+    memory.warnedMaps = left < wanted;
+    return std::clamp<std::size_t>(std::min(wanted, left), 1, ShadowParts::Capacity);
+}
+
+void FittedShadowCameraSetup::setVisiblePoints(const std::vector<VisiblePoint>& wsPoints) {
+    for (const VisiblePoint& point : wsPoints)
+        if (!point.ws.allFinite() || !point.wsNormal.allFinite() || point.wsNormal.isZero(0.0))
+            OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                        "wsPoints: points must be finite, and normals not zero",
+                        "FittedShadowCameraSetup::setVisiblePoints");
+    // As many as there can be samples; of more, every so many.
+    constexpr std::size_t Most = 4096;
+    const std::size_t kept = std::min(wsPoints.size(), Most);
+    mWsVisiblePoints.clear();
+    for (std::size_t i = 0; i < kept; ++i)
+        mWsVisiblePoints.push_back(wsPoints[i * wsPoints.size() / kept]);
+    for (VisiblePoint& point : mWsVisiblePoints)
+        point.wsNormal.stableNormalize();
 }
 
 ShadowParts FittedShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
@@ -200,14 +240,13 @@ ShadowFit FittedShadowCameraSetup::fitNext(const ShadowProblem& problem, const O
     }
     if (mapsLeft > 1) return result;
 
-    bool tooFew = false;
-    for (; memory.nextPart < memory.parts.count && !tooFew; ++memory.nextPart)
-        tooFew = fitPart(memory.nextPart).hasMap();
-    memory.nextPart = memory.parts.count;
-    if (tooFew && !memory.warnedParts)
+    // Said once: it costs the fits of what is left over.
+    for (; memory.nextPart < memory.parts.count && !memory.warnedParts; ++memory.nextPart) {
+        if (!fitPart(memory.nextPart).hasMap()) continue;
         logWarning("light '" + light.getName() +
                    "' needs more shadow maps than it has: some of its shadows are missing");
-    memory.warnedParts = tooFew;
+        memory.warnedParts = true;
+    }
     return result;
 }
 
@@ -220,7 +259,8 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     guardLights(sceneManager);
     LightMemory& memory =
         mMemory->of({light, viewer}, Ogre::Root::getSingleton().getNextFrameNumber());
-    const std::size_t maps = mapsOf(*light, sceneManager, memory);
+    if (iteration == 0) memory.maps = mapsOf(*light, *shadowCamera, sceneManager, memory);
+    const std::size_t maps = memory.maps;
     if (iteration >= maps) return skipShadowPass(*shadowCamera);
 
     const double shadowDistance = light->getShadowFarDistance();
@@ -239,6 +279,13 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     problem.filterRadius = mFilterRadius;
     problem.depthClamp = canClampDepth();
     problem.wsOrigin = survey.wsOrigin();
+
+    if (iteration == 0) {
+        memory.visiblePoints = mWsVisiblePoints;
+        for (VisiblePoint& point : memory.visiblePoints)
+            point.ws -= survey.wsOrigin();
+    }
+    problem.visiblePoints = memory.visiblePoints;
 
     double searchTime = 0.0;
     double fitTime = 0.0;

@@ -30,11 +30,12 @@ struct DivisionMemory {
     distance, else the viewer's.
 
     A light has as many maps as SceneManager::setShadowTextureCountPerLightType says for its type,
-    under the integrated shadow techniques; elsewhere OGRE draws one map a light, and the log says
-   so where there are more. A point light, and a spot wider than 179°, takes six, one for each face
-   of a cube around it; with fewer it gets the narrowest spot around what it can shadow, or where
-   that would be wider than 160°, those faces that have something to show. Where these do not
-   suffice, and where there is one map, it has no shadow, and the log says so.
+   as far as there are textures left, under the integrated shadow techniques; elsewhere OGRE draws
+   one map a light, and the log says so where there are more. A point light, and a spot wider than
+   179°, takes six, one for each face of a cube around it; with fewer it gets the narrowest spot
+   around what it can shadow, or where that would be wider than 160°, those faces that have
+   something to show. Where these do not suffice, and where there is one map, it has no shadow, and
+   the log says so.
 
     Where there is no map to draw (a light that shadows nothing in view, or bad input) no caster is
     drawn, everything is lit, and the log says why once.
@@ -58,6 +59,15 @@ public:
         @throws Ogre::InvalidParametersException unless finite and >= 0. */
     void setDepthBias(Ogre::Real worldUnits);
     Ogre::Real getDepthBias() const { return mDepthBias; }
+
+    /** What the viewer sees of the receivers, where the application knows it better than a few view
+        rays against boxes and meshes do: points spread evenly over the picture, in world
+        coordinates, such as a depth buffer read back, with the normals of the sides that are seen.
+        Setups that judge maps by samples (XPSM, Optimal, cascades) take these, for every viewer,
+        until others are set; none, the default, for their own. Of more than 4096, as many are kept.
+        @throws Ogre::InvalidParametersException unless all are finite, and normals not zero. */
+    void setVisiblePoints(const std::vector<VisiblePoint>& wsPoints);
+    const std::vector<VisiblePoint>& getVisiblePoints() const { return mWsVisiblePoints; }
 
     void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
                          const Ogre::Viewport* viewport, const Ogre::Light* light,
@@ -87,12 +97,15 @@ private:
     /// Fits the next part that one of the light's remaining maps is for.
     ShadowFit fitNext(const ShadowProblem& problem, const Ogre::Light& light, std::size_t mapsLeft,
                       LightMemory& memory, const ShadowPart*& part) const;
-    static std::size_t mapsOf(const Ogre::Light& light, const Ogre::SceneManager& sceneManager,
-                              LightMemory& memory);
+    /// How many maps the light has, asked with the first one's camera. OGRE draws more than one
+    /// right only under integrated techniques.
+    static std::size_t mapsOf(const Ogre::Light& light, const Ogre::Camera& shadowCamera,
+                              Ogre::SceneManager& sceneManager, LightMemory& memory);
 
     std::unique_ptr<Memory> mMemory;
     Ogre::Real mFilterRadius = 1;
     Ogre::Real mDepthBias = 0;
+    std::vector<VisiblePoint> mWsVisiblePoints;
 };
 
 } // namespace Lixel

@@ -27,7 +27,11 @@ ShadowParts PostProjectiveCubeShadowCameraSetup::divide(const ShadowProblem& pro
                                                         std::size_t maps,
                                                         DivisionMemory& memory) const noexcept {
     if (maps == 1) return FittedShadowCameraSetup::divide(problem, maps, memory);
-    return facesOfView(problem.viewer, problem.light, memory.aim);
+    const ShadowParts faces = facesOfView(problem.viewer, problem.light, memory.aim);
+    // A light too wide for one map may still need no more than a spot.
+    if (needsParts(problem.light) && faces.count > maps)
+        return FittedShadowCameraSetup::divide(problem, maps, memory);
+    return faces;
 }
 
 } // namespace Lixel

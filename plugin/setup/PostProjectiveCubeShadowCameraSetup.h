@@ -6,7 +6,7 @@
 namespace Lixel {
 
 /** Kozlov's cube map of post-projective space (2004, §14.2.2): the light's maps are the faces of
-   the viewer's volume through which its rays leave, three to five for a directional light, up to
+   the viewer's volume through which its rays leave, one to five for a directional light, up to
    six for a light in view.
 
     Give the light six maps (SceneManager::setShadowTextureCountPerLightType), under an integrated

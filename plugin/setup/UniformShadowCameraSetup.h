@@ -14,7 +14,9 @@ public:
 
     /** Steady texels instead of small ones: shadows' edges stay as they are while the viewer turns
         and moves. The map covers all that is in view up to the shadow distance, which is worth
-        setting low; or use it for the slices of cascades. Default false. */
+        setting low; or use it for the slices of cascades under a sun. A spot's map covers its cone,
+        in every slice too; a point light's face covers the cone around it, and is stable only where
+        the light has six maps. Default false. */
     void setStable(bool stable) { mOptions.stable = stable; }
     bool getStable() const { return mOptions.stable; }
 

@@ -88,6 +88,19 @@ TEST(CascadeSplits, FollowByOnePercentAFrameAndJumpAfterACut) {
     EXPECT_NEAR(splits[0], 100.0, 1e-6);
 }
 
+TEST(CascadeSplits, AscendWhileTheyFollow) {
+    CascadeMemory memory;
+    std::vector<double> splits;
+    cascadeSplits(wallsAt(10.0, 70.0).problem(), 3, {}, memory, splits);
+    for (int i = 0; i < 30; ++i) {
+        // What is far goes, and what stays is nearer than what was near.
+        cascadeSplits(wallsAt(8.0, 8.5).problem(), 3, {}, memory, splits);
+        ASSERT_EQ(splits.size(), 2U);
+        EXPECT_LE(splits[0], splits[1]);
+        EXPECT_LE(splits[1], 8.5 * 1.01);
+    }
+}
+
 TEST(CascadeSplits, AscendForAnyScene) {
     std::size_t checked = 0;
     const bool holds = rc::check([&] {

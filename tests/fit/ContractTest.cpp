@@ -255,6 +255,39 @@ TEST_P(Contract, OneRayIsOneTexel) {
     });
 }
 
+/// Where the map has the receivers' rays, by the fit's own numbers in long double: the whole chain
+/// from the world to clip space, without the products of matrices.
+TEST_P(Contract, TheMatrixAgreesWithALongerArithmetic) {
+    forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
+                    const std::vector<ShadowedPoint>& points) {
+        using Long = long double;
+        for (const ShadowedPoint& point : points) {
+            std::array<Long, 3> ls{};
+            for (Eigen::Index row = 0; row < 3; ++row)
+                for (Eigen::Index axis = 0; axis < 3; ++axis)
+                    ls[static_cast<std::size_t>(row)] +=
+                        Long(fit.lsFromWs(row, axis)) *
+                        (Long(point.wsReceiver[axis]) - Long(fit.wsEye[axis]));
+            std::array<Long, 4> clip{};
+            for (Eigen::Index row = 0; row < 4; ++row) {
+                const auto i = static_cast<std::size_t>(row);
+                clip[i] = Long(fit.clipFromLight(row, 3));
+                for (Eigen::Index axis = 0; axis < 3; ++axis)
+                    clip[i] +=
+                        Long(fit.clipFromLight(row, axis)) * ls[static_cast<std::size_t>(axis)];
+            }
+            const Vec2 reference(
+                static_cast<double>((clip[0] / clip[3] + 1) * Long(scene.mapWidth) / 2),
+                static_cast<double>((clip[1] / clip[3] + 1) * Long(scene.mapHeight) / 2));
+            const Vec2 texel = texelOf(fit.clipFromWorld, scene, point.wsReceiver);
+            RC_LOG() << "texel " << texel.transpose() << " reference " << reference.transpose()
+                     << "\n";
+            // Far below what the contract leaves to a light ray in double.
+            RC_ASSERT((texel - reference).norm() <= 1e-4);
+        }
+    });
+}
+
 TEST_P(Contract, OneRayIsOneTexelInFloat) {
     forAnyShadow(isOneTexelInFloat);
 }

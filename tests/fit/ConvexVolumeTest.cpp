@@ -62,6 +62,21 @@ std::array<Vec3, 8> viewCorners(const ShadowViewer& viewer) {
 
 } // namespace
 
+TEST(WithDepthAhead, TurnsReversedDepthAlone) {
+    const Mat4 usual = frustum(-0.3, 0.5, -0.2, 0.4, 0.5, 90.0);
+    Mat4 reversed = usual;
+    reversed.row(2) *= -1.0;
+    EXPECT_EQ(withDepthAhead(usual), usual);
+    EXPECT_EQ(withDepthAhead(reversed), usual);
+    const Mat4 flat = orthographic(4.0, 3.0, 0.1, 100.0);
+    reversed = flat;
+    reversed.row(2) *= -1.0;
+    EXPECT_EQ(withDepthAhead(flat), flat);
+    EXPECT_EQ(withDepthAhead(reversed), flat);
+    const Mat4 endless = perspective(1.0, 1.5, 0.1, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(withDepthAhead(endless), endless);
+}
+
 TEST(ConvexVolume, NormalisesPlanesAndLeavesOutWhatIsNone) {
     ConvexVolume volume;
     volume.add(Vec3(0.0, 3.0, 4.0), 10.0);

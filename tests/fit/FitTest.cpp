@@ -197,6 +197,36 @@ TEST(FitOfAPoint, AtTheOriginsDepthExists) {
     }
 }
 
+TEST(FitOfAViewer, DoesNotDependOnHowItStoresDepth) {
+    // Reversed Z, with depths from 1 at the near plane to 0 or -1 at the far one, and the far plane
+    // at infinity too: what is seen is the same.
+    for (const Technique& technique : techniques()) {
+        Scene scene = outdoors();
+        FitState state;
+        const ShadowFit usual = technique.fit(scene.problem(), state);
+        ASSERT_TRUE(usual.hasMap());
+        scene.viewer.clipFromView.row(2) *= -1.0;
+        FitState reversedState;
+        const ShadowFit reversed = technique.fit(scene.problem(), reversedState);
+        EXPECT_LT((usual.clipFromWorld - reversed.clipFromWorld).norm(),
+                  1e-9 * usual.clipFromWorld.norm())
+            << technique.name;
+
+        // z = near everywhere, in the range from 0 to 1.
+        scene.viewer.clipFromView.row(2) << 0.0, 0.0, 0.0, 0.1;
+        scene.viewer.shadowDistance = 150.0;
+        FitState endlessState;
+        const ShadowFit endless = technique.fit(scene.problem(), endlessState);
+        ASSERT_TRUE(endless.hasMap()) << technique.name;
+        Dice dice(4);
+        for (const ShadowedPoint& point : shadowedPoints(scene, dice, 100)) {
+            const Vec2 texel = texelOf(endless.clipFromWorld, scene, point.wsReceiver);
+            EXPECT_GE(texel.minCoeff(), scene.filterRadius + 1.0) << technique.name;
+            EXPECT_LE(texel.maxCoeff(), 1024.0 - scene.filterRadius - 1.0) << technique.name;
+        }
+    }
+}
+
 TEST(FitReasonNames, AreDistinctAndKnown) {
     std::set<std::string> names;
     for (int i = 0; i <= static_cast<int>(FitReason::TooFewMaps); ++i)

@@ -75,6 +75,37 @@ Dice anyDice() {
 
 } // namespace
 
+TEST(SumWithRectangle, GoesOnceAroundAnEdgeInManyParts) {
+    // Parts of an edge along the rectangle point to either side of it, by rounding.
+    const bool holds = rc::check([] {
+        Dice dice(*anySeed());
+        const double angle = dice.in(0.0, 6.3);
+        const Vec2 axis(std::cos(angle), std::sin(angle));
+        const Vec2 normal(-axis.y(), axis.x());
+        const Vec2 corner = Vec2(dice.in(-9.0, 9.0), dice.in(-9.0, 9.0));
+        Polygon2 polygon;
+        const std::size_t parts = 2 + dice.below(6);
+        const auto side = [&](const Vec2& from, const Vec2& way) {
+            for (std::size_t i = 0; i < parts; ++i)
+                polygon.push_back(from + static_cast<double>(i) / static_cast<double>(parts) * way);
+        };
+        side(corner, 3.0 * axis);
+        side(corner + 3.0 * axis, normal);
+        side(corner + 3.0 * axis + normal, -3.0 * axis);
+        side(corner + normal, -normal);
+        std::ranges::rotate(polygon, polygon.begin() +
+                                         static_cast<std::ptrdiff_t>(dice.below(polygon.size())));
+        Polygon2 sum;
+        sumWithRectangle(polygon, axis, Vec2(0.01, 0.02), sum);
+        double length = 0.0;
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            length += (sum[(i + 1) % sum.size()] - sum[i]).norm();
+        // A walk back and forth is longer than the way around.
+        RC_ASSERT(std::abs(length - 2.0 * (3.02 + 1.04)) < 1e-9);
+    });
+    EXPECT_TRUE(holds);
+}
+
 TEST(ConvexHull, OfASquareWithPointsInsideAndOnItsEdges) {
     const Polygon2 hull = hullOf({Vec2(1, 1), Vec2(0.5, 0.5), Vec2(0, 0), Vec2(0.5, 0), Vec2(0, 1),
                                   Vec2(1, 0), Vec2(1, 0.25), Vec2(0, 0)});

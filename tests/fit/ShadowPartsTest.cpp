@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <chrono>
 #include <numbers>
 
 using namespace Lixel;
@@ -216,6 +217,24 @@ TEST(ShadowParts, AnAimedSpotHoldsAllThatAPointLightShadows) {
     EXPECT_TRUE(holds);
     EXPECT_GT(aimed, 100U);
     EXPECT_GT(shadowed, 100U);
+}
+
+TEST(ShadowParts, AimingAmongThousandsOfCastersGivesUpAtOnce) {
+    // All around the light: as a smallest cone of them all this takes hours.
+    Scene scene;
+    scene.viewer.clipFromView = perspective(90.0 * Degree, 1.5, 0.1, 500.0);
+    scene.light.kind = LightKind::Point;
+    scene.light.wsPosition = Vec3(0.0, 0.0, -95.0);
+    Dice dice(5);
+    for (int i = 0; i < 5000; ++i)
+        scene.addBody({100.0 * dice.direction(), Vec3::Ones()});
+    AimScratch scratch;
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(aimedSpot(scene.problem(), scratch).count, 0U);
+    // Milliseconds; what it must not be is cubic.
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+    scene.light.wsPosition.x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(aimedSpot(scene.problem(), scratch).count, 0U);
 }
 
 TEST(ShadowParts, ALampOverATableIsAimedAtItThoughTheRoomIsAllAround) {

@@ -201,6 +201,37 @@ TEST(PointLight, SaysWhereFacesAreMissing) {
     EXPECT_EQ(log.count("Lixel:"), 1U);
 }
 
+/// Materials that read six maps, for lights that have fewer: what these lack serves nothing.
+TEST(SeveralMapsOfALight, MayBeFewerThanTheMaterialReads) {
+    for (const std::size_t maps : {1U, 2U, 5U})
+        for (const char* const setup : {"Cube", "Cascades-3", "Uniform"}) {
+            SCOPED_TRACE(std::string(setup) + " " + std::to_string(maps));
+            BoxOnGround scene("", "Uniform");
+            scene.stage.setShadowSetup(emulated(setup).create());
+            showVisibility(scene.stage);
+            setMaps(scene.stage, 1024, maps);
+            const ShadowOracle oracle(collectTriangles(scene.stage.sceneManager()));
+            const ClassificationError error = drawnError(
+                scene.stage, oracle.classify(oracleView(scene.stage.camera(), 320, 240, 100.0),
+                                             oracleLight(scene.stage.light())));
+            EXPECT_GT(error.shadowed, 100U);
+            EXPECT_LT(error.leakPixels, error.shadowed / 10);
+        }
+}
+
+/// Six per point light are asked for, and there is one texture: it is used as the only one.
+TEST(SeveralMapsOfALight, AreAsManyAsThereAreTextures) {
+    Lamp lamp(3);
+    LogCollector log;
+    showVisibility(lamp.stage);
+    Ogre::SceneManager& manager = lamp.stage.sceneManager();
+    manager.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    manager.setShadowTextureCountPerLightType(Ogre::Light::LT_POINT, 6);
+    manager.setShadowTextureSettings(1024, 1, Ogre::PF_FLOAT32_R);
+    EXPECT_LT(lamp.error().error, 0.5);
+    EXPECT_EQ(log.count("there are textures for 1"), 1U);
+}
+
 TEST(SeveralMapsOfALight, AreOneOutsideOfIntegratedTechniques) {
     BoxOnGround scene("", "Optimal");
     LogCollector log;

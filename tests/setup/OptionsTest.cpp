@@ -54,6 +54,21 @@ TEST(Options, DepthBias) {
                   std::string::npos);
 }
 
+TEST(Options, VisiblePoints) {
+    OptimalShadowCameraSetup setup;
+    EXPECT_TRUE(setup.getVisiblePoints().empty());
+    setup.setVisiblePoints({{Vec3(1.0, 2.0, 3.0), Vec3(0.0, 5.0, 0.0)}});
+    ASSERT_EQ(setup.getVisiblePoints().size(), 1U);
+    EXPECT_EQ(setup.getVisiblePoints()[0].wsNormal, Vec3::UnitY());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const VisiblePoint& wrong : {VisiblePoint{Vec3(nan, 0.0, 0.0), Vec3::UnitY()},
+                                      VisiblePoint{Vec3::Zero(), Vec3::Zero()},
+                                      VisiblePoint{Vec3::Zero(), Vec3(0.0, nan, 0.0)}})
+        EXPECT_NE(refusal([&] { setup.setVisiblePoints({wrong}); }).find("wsPoints"),
+                  std::string::npos);
+    EXPECT_EQ(setup.getVisiblePoints().size(), 1U);
+}
+
 TEST(Options, Xpsm) {
     XPSMShadowCameraSetup setup;
     setup.setStrength(0);

@@ -2,6 +2,7 @@
 
 #include "TestStage.h"
 
+#include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
 namespace Lixel::Tests {
@@ -34,6 +35,28 @@ TEST(Sharing, OneSurveyServesAllLights) {
     scene.stage.drawFrame();
     EXPECT_EQ(surveys.maps, 2);
     EXPECT_EQ(surveys.taken, 1);
+}
+
+/// Points are told in the world, and reach the fit wherever the viewer stands.
+TEST(Sharing, VisiblePointsDecideTheWarp) {
+    BoxOnGround scene("", "Optimal");
+    LastMap last;
+    const auto warpFor = [&](const Vec3& point) {
+        // A new instance: a used one follows its last warp.
+        const auto setup = std::make_shared<OptimalShadowCameraSetup>();
+        std::vector<VisiblePoint> points;
+        for (int i = 0; i < 20; ++i)
+            points.push_back({point + Vec3(-0.02 * i, 0.0, 0.01 * i), Vec3::UnitY()});
+        setup->setVisiblePoints(points);
+        scene.stage.setShadowSetup(setup);
+        scene.stage.drawFrame();
+        return last.fit.liWarp;
+    };
+    // Both ends of the box' shadow, which are all that matters in turn.
+    const Vec2 near = warpFor(Vec3(-1.5, 0.0, 0.5));
+    const Vec2 far = warpFor(Vec3(-2.5, 0.0, -0.8));
+    EXPECT_GT((near - far).norm(), 0.1 * (near.norm() + far.norm()));
+    EXPECT_GT(near.norm() + far.norm(), 0.0);
 }
 
 TEST(Sharing, OgresOwnSetupsFollowUndisturbed) {
