@@ -129,14 +129,14 @@ WarpChoice stableMap(const WarpContext& context) {
     const LightImage& image = context.image;
     const Vec2 size(problem.mapWidth, problem.mapHeight);
     const double border = leastBorder(problem.filterRadius) + PositionBorder;
-    const Vec2 axis = steadyAxis(image, context.state);
     WarpChoice choice;
     if (!image.directional()) {
         // Not narrower than what leaves texels to a float.
         const double half = std::max(std::tan(problem.light.outerHalfAngle) * (1.0 + Slack),
                                      LeastTexel * size.maxCoeff());
+        // In light space's own axes: its planes around the cone fit into this square alone.
         choice.homography =
-            squareMap(axis, Vec2::Zero(), half, size - Vec2::Constant(2.0 * border), size);
+            squareMap(Vec2::UnitX(), Vec2::Zero(), half, size - Vec2::Constant(2.0 * border), size);
         return choice;
     }
     Sphere sphere;
@@ -146,6 +146,7 @@ WarpChoice stableMap(const WarpContext& context) {
         choice.reason = FitReason::ViewWithoutEnd;
         return choice;
     }
+    const Vec2 axis = steadyAxis(image, context.state);
     const auto turned = [&](const Vec3& ls) {
         return Vec2(axis.dot(ls.head<2>()), cross(axis, ls.head<2>()));
     };
