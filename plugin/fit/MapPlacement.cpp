@@ -137,7 +137,7 @@ void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, cons
         points.push_back(map.topLeftCorner<2, 2>() * p + map.topRightCorner<2, 1>());
     sumWithRectangle(points, Vec2::UnitX(), 2.0 * affine.border.cwiseQuotient(size), grown);
     // 1 - w . p is one over the denominator. Where that stays well above 0, what is convex stays
-    // so, and its vertices remain its vertices.
+    // so.
     double horizon = 1.0;
     for (const Vec2& p : state.warped)
         horizon = std::min(horizon, 1.0 - warp.dot(p));
@@ -149,12 +149,12 @@ void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, cons
         beyondHorizon = beyondHorizon || unwarped < least;
         p = centre + p / std::max(unwarped, least);
     }
-    if (!beyondHorizon) return;
     // A few texels beyond the far end it may reach the horizon; half the hull's own least value
     // keeps the polygon finite. A corner held back is not on its own ray any more, so that the hull
     // itself belongs to the result as it is.
     points.assign(grown.begin(), grown.end());
-    points.insert(points.end(), state.region.liHull.begin(), state.region.liHull.end());
+    if (beyondHorizon)
+        points.insert(points.end(), state.region.liHull.begin(), state.region.liHull.end());
     convexHull(points, grown);
 }
 

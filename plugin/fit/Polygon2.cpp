@@ -165,25 +165,19 @@ void sumWithRectangle(std::span<const Vec2> polygon, const Vec2& axis, const Vec
         return normalX < 0.0 ? 2 : 3;
     };
     std::size_t from = quarter(in);
-    const auto walk = [&](const auto& visit) {
-        for (std::size_t i = 0; i < n; ++i) {
-            const Vec2 out = polygon[i + 1 < n ? i + 1 : 0] - polygon[i];
-            if (out.isZero(0.0)) continue; // a repeated vertex: its last instance counts
-            // Three quarters are more than a vertex turns. By rounding it is a turn back, which
-            // parts of one edge along the rectangle make; or, at the end of a sliver, half a turn.
-            std::size_t steps = (quarter(out) - from) % 4;
-            if (steps == 3 && in.dot(out) > 0.0) steps = 0;
-            visit(polygon[i], steps);
-            from = (from + steps) % 4;
-            in = out;
-        }
-    };
-    // Once around to learn in which quarter the last edge arrives, turns back left out.
-    walk([](const Vec2&, std::size_t) {});
-    walk([&](const Vec2& vertex, std::size_t steps) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 out = polygon[i + 1 < n ? i + 1 : 0] - polygon[i];
+        if (out.isZero(0.0)) continue; // a repeated vertex: its last instance counts
+        const std::size_t to = quarter(out);
+        // Three quarters are more than a vertex turns. By rounding it is a turn back, or, at the
+        // end of a sliver, half a turn.
+        std::size_t steps = (to - from) % 4;
+        if (steps == 3 && in.dot(out) > 0.0) steps = 0;
         for (std::size_t step = 0; step <= steps; ++step)
-            sum.push_back(vertex + corners[(from + step) % 4]);
-    });
+            sum.push_back(polygon[i] + corners[(from + step) % 4]);
+        from = to;
+        in = out;
+    }
 }
 
 Vec2 steinerPoint(std::span<const Vec2> polygon) {

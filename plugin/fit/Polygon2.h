@@ -42,6 +42,8 @@ void clipLeftOf(std::span<const Vec2> polygon, const Vec2& from, const Vec2& to,
 
 /// The Minkowski sum with the rectangle of those half sides along `axis`, a unit vector, and its
 /// left-hand normal: what lies within the half sides of the polygon. Empty for an empty polygon.
+/// Where an edge along the rectangle is in parts, rounding may make the sum go back and forth
+/// there: it is the hull of its vertices that is convex.
 void sumWithRectangle(std::span<const Vec2> polygon, const Vec2& axis, const Vec2& halfSides,
                       Polygon2& sum);
 
