@@ -1,6 +1,7 @@
 #include "fit/CascadeSplits.h"
 
 #include "fit/Fit.h"
+#include "fit/ShadowParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,31 +34,30 @@ void settle(double nearest, double farthest, CascadeMemory& memory) {
     memory.nearest = std::min(memory.nearest, memory.farthest);
 }
 
-/// Depths of what is seen; false where nothing is.
+/// Depths of what is seen of all slices together; false where nothing is.
 bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
+    if (!isValid(problem) || needsParts(problem.light)) return false;
     FitState& state = memory.state;
-    // The rule sees the focus region of all slices together; the fit that it is for is not used.
-    bool found = false;
-    const auto look = [&](const WarpContext& context) {
-        sampleView(context.problem, context.image, context.region.liHull,
-                   state.scratch.receiversInView, Samples, state.viewRays, state.samples);
-        double nearest = context.region.vsReceiverNear;
-        double farthest = context.region.vsReceiverFar;
-        if (!state.samples.empty()) {
-            nearest = farthest;
-            farthest = 0.0;
-            for (const ViewSample& sample : state.samples) {
-                nearest = std::min(nearest, sample.vsDepth);
-                farthest = std::max(farthest, sample.vsDepth);
-            }
+    FocusRegion& region = state.region;
+    const LightImage image(problem.light);
+    findFocusRegion(problem, image, state.scratch, region);
+    if (!hasMap(region.reason)) return false;
+    sampleView(problem, image, region.liHull, state.scratch.receiversInView, Samples,
+               state.viewRays, state.samples);
+    double nearest = region.vsReceiverNear;
+    double farthest = region.vsReceiverFar;
+    if (!state.samples.empty()) {
+        nearest = farthest;
+        farthest = 0.0;
+        for (const ViewSample& sample : state.samples) {
+            nearest = std::min(nearest, sample.vsDepth);
+            farthest = std::max(farthest, sample.vsDepth);
         }
-        nearest = std::max(nearest, LeastNearRatio * farthest);
-        found = nearest > 0.0 && std::isfinite(farthest);
-        if (found) settle(nearest, farthest, memory);
-        return WarpChoice{};
-    };
-    fitWithRule(problem, state, look);
-    return found;
+    }
+    nearest = std::max(nearest, LeastNearRatio * farthest);
+    if (!(nearest > 0.0) || !std::isfinite(farthest)) return false;
+    settle(nearest, farthest, memory);
+    return true;
 }
 
 /// Depths of the viewer's own clip planes and shadow distance; false for a view without end.

@@ -24,6 +24,10 @@ public:
     /// Adds the half space n . x + offset >= 0, normalised. A normal of length zero is no plane
     /// (the far plane of an infinite projection) and is left out.
     void add(const Vec3& normal, double offset);
+    void add(std::span<const Plane> planes) {
+        for (const Plane& plane : planes)
+            add(plane.normal, plane.offset);
+    }
 
     std::span<const Plane> planes() const { return {mPlanes.data(), mCount}; }
 

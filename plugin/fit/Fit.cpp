@@ -42,8 +42,19 @@ bool isRigid(const Mat4& viewFromWorld) {
            viewFromWorld.row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
 }
 
-/// Whether every number that a fit depends on is usable.
-bool valid(const ShadowProblem& problem) {
+/// Row z of clip space, as (coefficient of depth, constant), for depths along the light's axis, so
+/// that z / w stays within -1 and 1 wherever w / (depth or 1) >= leastDenominator.
+Vec2 depthRow(bool directional, double lsNear, double lsFar, double leastDenominator) {
+    const double range = lsFar - lsNear;
+    // Directional: linear. Local: the perspective one, affine in 1 / depth after the division.
+    const Vec2 row = directional ? Vec2(2.0, -(lsFar + lsNear)) / range
+                                 : Vec2(lsFar + lsNear, -2.0 * lsFar * lsNear) / range;
+    return row * leastDenominator;
+}
+
+} // namespace
+
+bool isValid(const ShadowProblem& problem) {
     const ShadowLight& light = problem.light;
     const ShadowViewer& viewer = problem.viewer;
     if (problem.casters == nullptr || problem.receivers == nullptr) return false;
@@ -68,18 +79,6 @@ bool valid(const ShadowProblem& problem) {
     return problem.casters->invalid() == 0 && problem.receivers->invalid() == 0;
 }
 
-/// Row z of clip space, as (coefficient of depth, constant), for depths along the light's axis, so
-/// that z / w stays within -1 and 1 wherever w / (depth or 1) >= leastDenominator.
-Vec2 depthRow(bool directional, double lsNear, double lsFar, double leastDenominator) {
-    const double range = lsFar - lsNear;
-    // Directional: linear. Local: the perspective one, affine in 1 / depth after the division.
-    const Vec2 row = directional ? Vec2(2.0, -(lsFar + lsNear)) / range
-                                 : Vec2(lsFar + lsNear, -2.0 * lsFar * lsNear) / range;
-    return row * leastDenominator;
-}
-
-} // namespace
-
 ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
                       const WarpRule& rule) noexcept {
     ShadowFit fit;
@@ -87,7 +86,7 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
         fit.reason = reason;
         return fit;
     };
-    if (!valid(problem)) return stop(FitReason::InvalidInput);
+    if (!isValid(problem)) return stop(FitReason::InvalidInput);
     if (needsParts(problem.light)) return stop(FitReason::TooFewMaps);
 
     const LightImage image(problem.light);

@@ -54,6 +54,9 @@ private:
     WarpChoice (*mCall)(const void*, const WarpContext&);
 };
 
+/// Whether every number that a fit depends on is usable.
+bool isValid(const ShadowProblem& problem);
+
 /// Runs the shared fit around a rule. Never throws; bad input gives a fit without a map.
 ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state, const WarpRule& rule) noexcept;
 

@@ -54,11 +54,8 @@ public:
                    -problem.viewer.viewFromWorld(2, 3)),
           mSeen(lit) {
         const ConvexVolume view = viewVolume(problem.viewer);
-        for (const Plane& plane : view.planes())
-            mSeen.add(plane.normal, plane.offset);
-        if (problem.part != nullptr)
-            for (const Plane& plane : problem.part->bounds())
-                mSeen.add(plane.normal, plane.offset);
+        mSeen.add(view.planes());
+        if (problem.part != nullptr) mSeen.add(problem.part->bounds());
         scratch.receivers.reset(image);
     }
 

@@ -31,4 +31,11 @@ ConvexVolume lightVolume(const ShadowLight& light, const LightImage& image) {
     return volume;
 }
 
+void addRange(const ShadowLight& light, ConvexVolume& volume) {
+    if (!std::isfinite(light.range)) return;
+    for (const int axis : {0, 1, 2})
+        for (const double sign : {1.0, -1.0})
+            volume.add(-sign * Vec3::Unit(axis), sign * light.wsPosition[axis] + light.range);
+}
+
 } // namespace Lixel

@@ -9,6 +9,9 @@ namespace Lixel {
 /// range, inside a pyramid around its cone. Everything for a directional light.
 ConvexVolume lightVolume(const ShadowLight& light, const LightImage& image);
 
+/// Adds a box around what a local light reaches: nothing where it reaches everything.
+void addRange(const ShadowLight& light, ConvexVolume& volume);
+
 /// An affine function of world points, and its range over a box.
 struct Gauge {
     Vec3 normal;

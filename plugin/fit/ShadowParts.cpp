@@ -69,8 +69,7 @@ bool aimParts(const ShadowViewer& viewer, const ShadowLight& light, ShadowParts&
     for (std::size_t i = 0; i < parts.count; ++i) {
         ShadowPart& part = parts.parts[i];
         ConvexVolume volume = viewVolume(viewer);
-        for (const Plane& plane : part.bounds())
-            volume.add(plane.normal, plane.offset);
+        volume.add(part.bounds());
         scratch.wsPoints.clear();
         clipBox(bounds, volume, scratch.clip, scratch.wsPoints);
         scratch.directions.clear();

@@ -1,6 +1,7 @@
 #include "fit/SpotAim.h"
 
 #include "fit/Cone.h"
+#include "fit/LightVolume.h"
 
 #include <Eigen/Geometry>
 
@@ -15,15 +16,6 @@ constexpr double RimSlack = 1e-6;
 
 /// Narrowest cone, as half angle in radians: a body that is a point from there.
 constexpr double NarrowestAim = 1e-4;
-
-/// A box around what the light reaches; false where it reaches everything.
-bool addRange(const ShadowLight& light, ConvexVolume& volume) {
-    if (!std::isfinite(light.range)) return false;
-    for (const int axis : {0, 1, 2})
-        for (const double sign : {1.0, -1.0})
-            volume.add(-sign * Vec3::Unit(axis), sign * light.wsPosition[axis] + light.range);
-    return true;
-}
 
 /// Directions from the light to all that the volume leaves of the boxes.
 /// @return whether there are any
@@ -77,24 +69,20 @@ bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spo
     addRange(light, seen);
     addRange(light, reached);
 
-    ShadowLight around[2];
-    bool found[2] = {false, false};
-    if (problem.receivers->unbounded() == 0) {
-        // Nothing in view: any cone does.
-        if (!directionsTo(*problem.receivers, seen, light.wsPosition, scratch))
+    bool found = false;
+    const auto tryAround = [&](const BoxSet& boxes, const ConvexVolume& volume) {
+        if (boxes.unbounded() > 0) return;
+        // Nothing to shadow: any cone does.
+        if (!directionsTo(boxes, volume, light.wsPosition, scratch))
             scratch.directions.assign(1, Vec3(light.wsDirection));
-        found[0] = spotAround(light, WidestAim, scratch.directions, around[0]);
-    }
-    if (problem.casters->unbounded() == 0) {
-        if (!directionsTo(*problem.casters, reached, light.wsPosition, scratch))
-            scratch.directions.assign(1, Vec3(light.wsDirection));
-        found[1] = spotAround(light, WidestAim, scratch.directions, around[1]);
-    }
-    if (!found[0] && !found[1]) return false;
-    const bool first =
-        found[0] && (!found[1] || around[0].outerHalfAngle <= around[1].outerHalfAngle);
-    spot = around[first ? 0 : 1];
-    return true;
+        ShadowLight around;
+        if (!spotAround(light, WidestAim, scratch.directions, around)) return;
+        if (!found || around.outerHalfAngle < spot.outerHalfAngle) spot = around;
+        found = true;
+    };
+    tryAround(*problem.receivers, seen);
+    tryAround(*problem.casters, reached);
+    return found;
 }
 
 } // namespace Lixel

@@ -14,7 +14,8 @@ namespace {
 /// frame to frame, and a grid of texels that is counted from the world's origin with it.
 constexpr double RadiusStep = 1.0 / 1024.0;
 
-/// Halvings of the interval that holds the sphere's centre: to 2^-20 of it.
+/// Steps of the search for the sphere's centre, of which each leaves two thirds of the interval:
+/// 5e-6 of it in the end.
 constexpr int CentreSteps = 30;
 
 /// Beyond the cone or the sphere, for what rounding adds to both.

@@ -31,8 +31,7 @@ enum LightParameter : unsigned short {
     /// all maps of the light.
     LP_MAP_ROW_SHARE = 106,
     /// Depths in front of the viewer at which the light's first four slices end, in world units;
-    /// the
-    /// last slice's is 1e30.
+    /// 1e30 for the last slice's.
     LP_SPLIT_DEPTHS = 107,
     /// The light's maps after the first have the numbers LP_MAP_ROW_U to LP_MAP_SIZE_BIAS and
     /// LP_MAP_ROW_SHARE plus 10 times the map's index.

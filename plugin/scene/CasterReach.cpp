@@ -34,10 +34,7 @@ bool CasterReach::setBox(const ConvexVolume& seen, const Box& bounds, const Shad
                          const Vec3& wsOrigin) {
     mVolume = CullVolume();
     ConvexVolume lit = seen;
-    if (std::isfinite(light.range))
-        for (const int axis : {0, 1, 2})
-            for (const double sign : {1.0, -1.0})
-                lit.add(-sign * Vec3::Unit(axis), sign * light.wsPosition[axis] + light.range);
+    addRange(light, lit);
     mWsPoints.clear();
     clipBox(bounds, lit, mClip, mWsPoints);
     if (mWsPoints.empty()) return false;
@@ -59,8 +56,7 @@ bool CasterReach::set(const ShadowViewer& viewer, const ShadowLight& light, cons
     const LightImage image(light);
     const bool directional = image.directional();
     const ConvexVolume shone = lightVolume(light, image);
-    for (const Plane& plane : shone.planes())
-        lit.add(plane.normal, plane.offset);
+    lit.add(shone.planes());
     mWsPoints.clear();
     clipBox(widened(receivers), lit, mClip, mWsPoints);
     mPoints.clear();

@@ -10,9 +10,9 @@ namespace Lixel {
 
     For a light that shines too wide for one map, a box around it and all points in view within the
     receivers' bounds and its range. For any other, all light rays that meet a point in view within
-   the receivers' bounds, from the light (or from infinity) to the farthest such point. CasterVolume
-   is the same around a fit's focus region; this one is larger, and decides which casters that fit
-   is told of.
+    the receivers' bounds, from the light (or from infinity) to the farthest such point.
+    CasterVolume is the same around a fit's focus region; this one is larger, and decides which
+    casters that fit is told of.
 */
 class CasterReach {
 public:

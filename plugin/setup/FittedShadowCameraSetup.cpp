@@ -280,20 +280,16 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     problem.depthClamp = canClampDepth();
     problem.wsOrigin = survey.wsOrigin();
 
+    double searchTime = 0.0;
     if (iteration == 0) {
         memory.visiblePoints = mWsVisiblePoints;
         for (VisiblePoint& point : memory.visiblePoints)
             point.ws -= survey.wsOrigin();
-    }
-    problem.visiblePoints = memory.visiblePoints;
-
-    double searchTime = 0.0;
-    double fitTime = 0.0;
-    if (iteration == 0) {
         const auto searchBegin = Clock::now();
         memory.casters = &memory.search.find(survey, problem.light, shadowDistance);
         searchTime = since(searchBegin);
     }
+    problem.visiblePoints = memory.visiblePoints;
     problem.casters = memory.casters;
     const auto fitBegin = Clock::now();
     if (iteration == 0) {
@@ -302,7 +298,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     }
     const ShadowPart* part = nullptr;
     const ShadowFit result = fitNext(problem, *light, maps - iteration, memory, part);
-    fitTime = since(fitBegin);
+    const double fitTime = since(fitBegin);
 
     place(*shadowCamera, result, survey.wsOrigin());
     if (result.hasMap()) {

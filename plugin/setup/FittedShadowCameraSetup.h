@@ -30,12 +30,12 @@ struct DivisionMemory {
     distance, else the viewer's.
 
     A light has as many maps as SceneManager::setShadowTextureCountPerLightType says for its type,
-   as far as there are textures left, under the integrated shadow techniques; elsewhere OGRE draws
-   one map a light, and the log says so where there are more. A point light, and a spot wider than
-   179°, takes six, one for each face of a cube around it; with fewer it gets the narrowest spot
-   around what it can shadow, or where that would be wider than 160°, those faces that have
-   something to show. Where these do not suffice, and where there is one map, it has no shadow, and
-   the log says so.
+    as far as there are textures left, under the integrated shadow techniques; elsewhere OGRE draws
+    one map a light, and the log says so where there are more. A point light, and a spot wider than
+    179°, takes six, one for each face of a cube around it; with fewer it gets the narrowest spot
+    around what it can shadow, or where that would be wider than 160°, those faces that have
+    something to show. Where these do not suffice, and where there is one map, it has no shadow, and
+    the log says so.
 
     Where there is no map to draw (a light that shadows nothing in view, or bad input) no caster is
     drawn, everything is lit, and the log says why once.

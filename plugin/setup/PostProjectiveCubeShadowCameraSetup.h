@@ -6,8 +6,8 @@
 namespace Lixel {
 
 /** Kozlov's cube map of post-projective space (2004, §14.2.2): the light's maps are the faces of
-   the viewer's volume through which its rays leave, one to five for a directional light, up to
-   six for a light in view.
+    the viewer's volume through which its rays leave, one to five for a directional light, up to six
+    for a light in view.
 
     Give the light six maps (SceneManager::setShadowTextureCountPerLightType), under an integrated
     shadow technique and with a material that reads as many, such as

@@ -108,6 +108,12 @@ NamedSetup ogre(const std::string& name, const std::string& title) {
     return {name, title, [] { return ObservedShadowCameraSetup::create(std::make_shared<T>()); }};
 }
 
+const NamedSetup* find(const std::vector<NamedSetup>& setups, const std::string& name) {
+    for (const NamedSetup& setup : setups)
+        if (setup.name == name) return &setup;
+    return nullptr;
+}
+
 NamedSetup severalMaps(const std::string& name, const std::string& title, std::size_t maps,
                        const std::function<Ogre::ShadowCameraSetupPtr()>& create) {
     NamedSetup setup{name, title, create};
@@ -174,9 +180,11 @@ const std::vector<NamedSetup>& emulatedSetups() {
 }
 
 const NamedSetup* findShadowSetup(const std::string& name) {
-    for (const NamedSetup& setup : shadowSetups())
-        if (setup.name == name) return &setup;
-    return nullptr;
+    return find(shadowSetups(), name);
+}
+
+const NamedSetup* findEmulatedSetup(const std::string& name) {
+    return find(emulatedSetups(), name);
 }
 
 } // namespace Lixel::Samples

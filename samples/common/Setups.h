@@ -40,5 +40,7 @@ const std::vector<NamedSetup>& emulatedSetups();
 
 /// The setup of that name among shadowSetups(); null when there is none.
 const NamedSetup* findShadowSetup(const std::string& name);
+/// The same among emulatedSetups().
+const NamedSetup* findEmulatedSetup(const std::string& name);
 
 } // namespace Lixel::Samples

@@ -84,12 +84,8 @@ const std::vector<Samples::NamedSetup>& judgedSetups() {
             return setup;
         };
         for (const char* const name : {"Stable", "Cascades-3", "Stable-Cascades-3", "Cube"}) {
-            const auto& emulated = Samples::emulatedSetups();
-            const auto found =
-                std::find_if(emulated.begin(), emulated.end(),
-                             [&](const Samples::NamedSetup& s) { return s.name == name; });
-            if (found == emulated.end()) throw std::logic_error("no such setup");
-            all.insert(std::find_if_not(all.begin(), all.end(), isLixels), *found);
+            all.insert(std::find_if_not(all.begin(), all.end(), isLixels),
+                       *Samples::findEmulatedSetup(name));
         }
         const auto ogres = std::find_if_not(all.begin(), all.end(), isLixels);
         all.insert(ogres, exact);

@@ -60,15 +60,12 @@ DrawnMatrix projectorMatrix(const Ogre::Camera& camera, const Ogre::Camera& view
             toEigen(viewer.getDerivedPosition())};
 }
 
-/// What Lixel's receivers are handed.
-DrawnMatrix fittedMatrix(const ShadowMap& fitted, bool cameraRelative) {
-    DrawnMatrix drawn;
-    if (cameraRelative) drawn.wsBase = toEigen(fitted.viewer.getDerivedPosition());
+/// A fit's rows, as Lixel's receivers are handed them: for positions relative to `wsBase`.
+template <typename Rows>
+Rows drawnRows(const Rows& rows, const ShadowMap& fitted, const Eigen::Vector3d& wsBase) {
     Eigen::Affine3d originFromBase = Eigen::Affine3d::Identity();
-    originFromBase.translation() = drawn.wsBase - fitted.wsOrigin;
-    drawn.clipFromBase =
-        (fitted.fit.clipFromWorld * originFromBase.matrix()).cast<float>().cast<double>();
-    return drawn;
+    originFromBase.translation() = wsBase - fitted.wsOrigin;
+    return Rows(rows * originFromBase.matrix()).template cast<float>().template cast<double>();
 }
 
 } // namespace
@@ -102,13 +99,12 @@ void MapProbe::shadowMapFitted(const ShadowMap& fitted) {
     probed.height = fitted.height;
     const bool relative = mScene.manager().getCameraRelativeRendering();
     if (relative) probed.wsBase = toEigen(fitted.viewer.getDerivedPosition());
-    Eigen::Affine3d originFromBase = Eigen::Affine3d::Identity();
-    originFromBase.translation() = probed.wsBase - fitted.wsOrigin;
-    probed.wsShare = Eigen::RowVector4d(fitted.part.wsRow.transpose() * originFromBase.matrix())
-                         .cast<float>()
-                         .cast<double>();
-    probed.receivers = mLixel ? fittedMatrix(fitted, relative)
-                              : projectorMatrix(fitted.shadowCamera, fitted.viewer, relative);
+    probed.wsShare =
+        drawnRows<Eigen::RowVector4d>(fitted.part.wsRow.transpose(), fitted, probed.wsBase);
+    probed.receivers =
+        mLixel
+            ? DrawnMatrix{drawnRows(fitted.fit.clipFromWorld, fitted, probed.wsBase), probed.wsBase}
+            : projectorMatrix(fitted.shadowCamera, fitted.viewer, relative);
     if (!fitted.fit.hasMap()) return;
     for (const char* const type : {"Entity", "ManualObject"})
         for (const auto& [name, object] : mScene.manager().getMovableObjects(type))

@@ -72,12 +72,6 @@ ClassificationError drawnError(Stage& stage, const ShadowTruth& truth) {
     return compareWithTruth(truth, visibility);
 }
 
-const NamedSetup& emulated(const std::string& name) {
-    for (const NamedSetup& setup : emulatedSetups())
-        if (setup.name == name) return setup;
-    throw std::runtime_error("no setup " + name);
-}
-
 class SeveralMaps : public testing::TestWithParam<const char*> {};
 
 /// The picture errs as its matrices say that it should, and little.
@@ -94,7 +88,7 @@ TEST_P(SeveralMaps, OfTheSunAreDrawnAsEmulated) {
                                        ? CasterFaces::Backs
                                        : CasterFaces::Fronts);
     showVisibility(stage);
-    const NamedSetup& setup = emulated(GetParam());
+    const NamedSetup& setup = *findEmulatedSetup(GetParam());
     for (const SampleLight& light : std::span(scene.lights).first(2)) {
         stage.setView(scene.views.front());
         stage.setLight(light);
@@ -151,7 +145,7 @@ TEST(PointLight, HasSixMaps) {
         SCOPED_TRACE(setup);
         Lamp lamp(3);
         LogCollector log;
-        lamp.stage.setShadowSetup(emulated(setup).create());
+        lamp.stage.setShadowSetup(findEmulatedSetup(setup)->create());
         showVisibility(lamp.stage);
         setMaps(lamp.stage, 1024, 6);
         const ClassificationError error = lamp.error();
@@ -207,7 +201,7 @@ TEST(SeveralMapsOfALight, MayBeFewerThanTheMaterialReads) {
         for (const char* const setup : {"Cube", "Cascades-3", "Uniform"}) {
             SCOPED_TRACE(std::string(setup) + " " + std::to_string(maps));
             BoxOnGround scene("", "Uniform");
-            scene.stage.setShadowSetup(emulated(setup).create());
+            scene.stage.setShadowSetup(findEmulatedSetup(setup)->create());
             showVisibility(scene.stage);
             setMaps(scene.stage, 1024, maps);
             const ShadowOracle oracle(collectTriangles(scene.stage.sceneManager()));
@@ -235,7 +229,7 @@ TEST(SeveralMapsOfALight, AreAsManyAsThereAreTextures) {
 TEST(SeveralMapsOfALight, AreOneOutsideOfIntegratedTechniques) {
     BoxOnGround scene("", "Optimal");
     LogCollector log;
-    scene.stage.setShadowSetup(emulated("Cascades-3").create());
+    scene.stage.setShadowSetup(findEmulatedSetup("Cascades-3")->create());
     Ogre::SceneManager& manager = scene.stage.sceneManager();
     manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
     manager.setShadowTextureSettings(1024, 3, Ogre::PF_FLOAT32_R);
