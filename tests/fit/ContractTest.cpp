@@ -21,6 +21,9 @@ namespace {
 
 constexpr std::size_t RaysPerScene = 150;
 
+/// Most that two points of one light ray may differ in float, in texels.
+constexpr double FloatTexels = 0.25;
+
 class Contract : public testing::TestWithParam<Technique> {
 protected:
     /** Checks `property(scene, fit, state, dice)` for any scene. It returns whether it had
@@ -57,6 +60,13 @@ protected:
                    return true;
                });
     }
+
+    /** Receiver and occluder meet within a quarter of a texel when the graphics card computes both.
+
+        Where texels are finer than the steps of float it is within those steps: a caster 5 units
+        before a light that is 7000 from the viewer, the near end of a strong warp. Texels as coarse
+        as the steps would cost all other shadows, and mend nothing. Such scenes are rare. */
+    void isOneTexelInFloat(const rc::Gen<Scene>& scenes);
 };
 
 /// How far inside the map's border a texel coordinate is; negative outside.
@@ -90,24 +100,48 @@ void liesInsideTheBorder(const Scene& scene, const ShadowFit& fit, const FitStat
     }
 }
 
-/// Receiver and occluder meet in one texel when the graphics card computes both.
-void isOneTexelInFloat(const Scene& scene, const ShadowFit& fit, const FitState&,
-                       const std::vector<ShadowedPoint>& points) {
-    const Eigen::Matrix4f m = fit.clipFromWorld.cast<float>();
-    const auto texel = [&](const Vec3& ws) {
-        const Eigen::Vector4f clip = m * Eigen::Vector3f(ws.cast<float>()).homogeneous();
+/** Texels by which four products and their sum in float may miss a point's address, whatever the
+    order: Higham, Accuracy and Stability of Numerical Algorithms, (3.5), for factors that are
+    rounded too. */
+double texelsOfRounding(const Scene& scene, const ShadowFit& fit, const Vec3& ws) {
+    const Vec4 clip = clipOf(fit.clipFromWorld, ws);
+    const Mat4 magnitudes = fit.clipFromWorld.cwiseAbs();
+    const Vec4 error = 6.0 * 0x1p-24 * (magnitudes * Vec4(ws.cwiseAbs().homogeneous()));
+    const Vec2 ndc = clip.head<2>() / clip.w();
+    const Vec2 miss = (error.head<2>() + ndc.cwiseAbs() * error.w()) / clip.w();
+    return miss.cwiseProduct(Vec2(scene.mapWidth, scene.mapHeight) / 2.0).norm();
+}
+
+void Contract::isOneTexelInFloat(const rc::Gen<Scene>& scenes) {
+    std::size_t checked = 0;
+    std::size_t excused = 0;
+    const auto meets = [&](const Scene& scene, const ShadowFit& fit, const FitState&,
+                           const std::vector<ShadowedPoint>& points) {
+        const Eigen::Matrix4f m = fit.clipFromWorld.cast<float>();
         const Eigen::Vector2f size(static_cast<float>(scene.mapWidth),
                                    static_cast<float>(scene.mapHeight));
-        return Eigen::Vector2f(clip.head<2>() / clip.w()).cwiseProduct(size / 2.0F).eval();
+        const auto texel = [&](const Vec3& ws) {
+            const Eigen::Vector4f clip = m * Eigen::Vector3f(ws.cast<float>()).homogeneous();
+            return Eigen::Vector2f(clip.head<2>() / clip.w()).cwiseProduct(size / 2.0F).eval();
+        };
+        bool within = true;
+        for (const ShadowedPoint& point : points) {
+            const Eigen::Vector2f receiver = texel(point.wsReceiver);
+            const Eigen::Vector2f occluder = texel(point.wsOccluder);
+            const double rounding = texelsOfRounding(scene, fit, point.wsReceiver) +
+                                    texelsOfRounding(scene, fit, point.wsOccluder);
+            const double distance = (receiver - occluder).cast<double>().norm();
+            RC_LOG() << "receiver " << point.wsReceiver.transpose() << " occluder "
+                     << point.wsOccluder.transpose() << " texels " << receiver.transpose()
+                     << " and " << occluder.transpose() << ", of rounding " << rounding << "\n";
+            RC_ASSERT(distance <= std::max(FloatTexels, rounding));
+            within = within && distance <= FloatTexels;
+        }
+        ++checked;
+        if (!within) ++excused;
     };
-    for (const ShadowedPoint& point : points) {
-        const Eigen::Vector2f receiver = texel(point.wsReceiver);
-        const Eigen::Vector2f occluder = texel(point.wsOccluder);
-        RC_LOG() << "receiver " << point.wsReceiver.transpose() << " occluder "
-                 << point.wsOccluder.transpose() << " texels " << receiver.transpose() << " and "
-                 << occluder.transpose() << "\n";
-        RC_ASSERT((receiver - occluder).norm() <= 0.25F);
-    }
+    forAnyShadow(meets, scenes);
+    EXPECT_LE(excused, 1 + checked / 1000);
 }
 
 /// One receiver at distance 1, of a size from a thousandth down to a millionth, and a caster over
@@ -289,11 +323,11 @@ TEST_P(Contract, TheMatrixAgreesWithALongerArithmetic) {
 }
 
 TEST_P(Contract, OneRayIsOneTexelInFloat) {
-    forAnyShadow(isOneTexelInFloat);
+    isOneTexelInFloat(anyScene());
 }
 
 TEST_P(Contract, OneRayOfASmallFarReceiverIsOneTexelInFloat) {
-    forAnyShadow(isOneTexelInFloat, smallFarReceiver());
+    isOneTexelInFloat(smallFarReceiver());
 }
 
 TEST_P(Contract, TheMapIsTight) {
