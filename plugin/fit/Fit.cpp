@@ -17,6 +17,10 @@ namespace {
 /// the farthest's.
 constexpr double NearestExactDepth = 1.0 / 64.0;
 
+/// Halvings of the interval that holds the part of a warp which rounding leaves: what is left of it
+/// changes the least of denominators, which is at least 2^-13, by less than a thousandth.
+constexpr int PullSteps = 24;
+
 /// Least depth range, as a fraction of the focus region's size: the light along a flat receiver.
 constexpr double LeastDepthRange = 1e-3;
 
@@ -60,8 +64,7 @@ bool isValid(const ShadowProblem& problem) {
     if (problem.casters == nullptr || problem.receivers == nullptr) return false;
     if (problem.mapWidth < 1 || problem.mapHeight < 1) return false;
     if (!(problem.filterRadius >= 0.0)) return false;
-    if (2.0 * (leastBorder(problem.filterRadius) +
-               GreatestMagnification * PositionRounding / LeastTexel) >=
+    if (2.0 * (leastBorder(problem.filterRadius) + GreatestRounding) >=
         std::min(problem.mapWidth, problem.mapHeight))
         return false;
     if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return false;
@@ -138,11 +141,27 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
         choice.reason = FitReason::WarpClamped;
 
     // The affine fit around the warped region.
-    const double leastDenominator =
-        warpPolygon(region.liHull, region.liCentre, choice.liWarp, state.warped);
-    if (!given)
-        affine = placeRegion(problem, image, state.warped, liReach,
-                             std::min(1.0 / leastDenominator, GreatestMagnification), state);
+    double leastDenominator = 1.0;
+    const auto placeWarped = [&](const Vec2& warp) {
+        leastDenominator = warpPolygon(region.liHull, region.liCentre, warp, state.warped);
+        if (!given) affine = placeRegion(problem, image, state.warped, warp, liReach, state);
+        return affine.rounding <= GreatestRounding;
+    };
+    if (!placeWarped(choice.liWarp)) {
+        const Vec2 whole = choice.liWarp;
+        double kept = 0.0;
+        double lost = 1.0;
+        for (int i = 0; i < PullSteps; ++i) {
+            const double middle = (kept + lost) / 2.0;
+            (placeWarped(middle * whole) ? kept : lost) = middle;
+        }
+        choice = {kept * whole, FitReason::WarpClamped};
+        placeWarped(choice.liWarp);
+    }
+    if (!given) {
+        state.wsMapAxis = affine.wsMapAxis;
+        if (affine.turned) ++state.orientationJumps;
+    }
     const Mat3 h = affine.mapFromWarped * warpMatrix(choice.liWarp, region.liCentre);
 
     // Depth: what receives, and no more, where casters before it are clamped onto its near end.

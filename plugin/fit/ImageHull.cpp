@@ -36,29 +36,28 @@ Plane ImageHull::edgePlane(const Vec2& from, const Vec2& to) const {
 
 void ImageHull::rebuild(const Vec2& point) {
     ++mRevision;
-    mNextHull = mHull;
-    mNextHull.push_back(point);
-    convexHull(mNextHull, mHull);
+    mPoints = mHull;
+    mPoints.push_back(point);
+    convexHull(mPoints, mHull);
     mEdges.clear();
     const std::size_t n = mHull.size();
     for (std::size_t i = 0; i < n && n > 2; ++i)
         mEdges.push_back(edgePlane(mHull[i], mHull[i + 1 < n ? i + 1 : 0]));
+
+    mOrigin = mHull[0];
+    mSquaredLength = 0.0;
+    mTwiceArea = 0.0;
+    mCoordinate = largestCoordinate(mHull);
+    for (std::size_t i = 1; i < n; ++i) {
+        mSquaredLength = std::max(mSquaredLength, (mHull[i] - mOrigin).squaredNorm());
+        mTwiceArea += cross(mHull[i - 1] - mOrigin, mHull[i] - mOrigin);
+    }
     findFlatness();
 }
 
 void ImageHull::findFlatness() {
-    const std::size_t n = mHull.size();
-    mFlat = true;
-    mCoordinate = largestCoordinate(mHull);
-    if (n < 3) return;
-    double twiceArea = 0.0;
-    double squaredLength = 0.0;
-    for (std::size_t i = 2; i < n; ++i)
-        twiceArea += cross(mHull[i - 1] - mHull[0], mHull[i] - mHull[0]);
-    for (std::size_t i = 1; i < n; ++i)
-        squaredLength = std::max(squaredLength, (mHull[i] - mHull[0]).squaredNorm());
-    mFlat = !(twiceArea > FlatRatio * squaredLength &&
-              twiceArea > FlatWidth * mCoordinate * std::sqrt(squaredLength));
+    mFlat = !(mTwiceArea > FlatRatio * mSquaredLength &&
+              mTwiceArea > FlatWidth * mCoordinate * std::sqrt(mSquaredLength));
 }
 
 void ImageHull::add(const Vec2& point) {
@@ -70,19 +69,25 @@ void ImageHull::add(const Vec2& point) {
     std::size_t beyond = 0;
     std::size_t runs = 0;
     std::size_t begin = 0;
-    const double slack = OnEdge * std::max(mCoordinate, point.cwiseAbs().maxCoeff());
-    const auto isBeyond = [&](std::size_t i) {
-        const Vec2& a = mHull[i];
-        const Vec2 edge = mHull[i + 1 < n ? i + 1 : 0] - a;
-        return cross(edge, point - a) < -slack * (std::abs(edge.x()) + std::abs(edge.y()));
+    double gained = 0.0;
+    const double coordinate = std::max(mCoordinate, point.cwiseAbs().maxCoeff());
+    const double slack = OnEdge * coordinate;
+    const auto lies = [&](const Vec2& a, const Vec2& b, double& side) {
+        const Vec2 edge = b - a;
+        side = cross(edge, point - a);
+        return side < -slack * (std::abs(edge.x()) + std::abs(edge.y()));
     };
-    bool last = isBeyond(n - 1);
+    double side = 0.0;
+    bool last = lies(mHull[n - 1], mHull[0], side);
     for (std::size_t i = 0; i < n; ++i) {
-        const bool now = isBeyond(i);
-        if (now) ++beyond;
-        if (now && !last) {
-            begin = i;
-            ++runs;
+        const bool now = lies(mHull[i], mHull[i + 1 < n ? i + 1 : 0], side);
+        if (now) {
+            ++beyond;
+            gained -= side;
+            if (!last) {
+                begin = i;
+                ++runs;
+            }
         }
         last = now;
     }
@@ -107,18 +112,34 @@ void ImageHull::add(const Vec2& point) {
     if (kept == 2 && turn(point, vertex(first), vertex(first + 1)) <= 0.0) return rebuild(point);
 
     ++mRevision;
-    mNextHull.clear();
-    mNextEdges.clear();
-    mNextHull.push_back(point);
-    mNextEdges.push_back(edgePlane(point, vertex(first)));
-    for (std::size_t i = first; i < first + kept; ++i) {
-        mNextHull.push_back(vertex(i));
-        if (i + 1 < first + kept) mNextEdges.push_back(mEdges[i < n ? i : i - n]);
-    }
-    mNextEdges.push_back(edgePlane(mNextHull.back(), point));
-    mHull.swap(mNextHull);
-    mEdges.swap(mNextEdges);
+    const std::size_t at = replaceBefore(first, n - kept, point);
+    const std::size_t size = mHull.size();
+    const std::size_t before = at > 0 ? at - 1 : size - 1;
+    mEdges[before] = edgePlane(mHull[before], point);
+    mEdges[at] = edgePlane(point, mHull[at + 1 < size ? at + 1 : 0]);
+
+    mCoordinate = coordinate;
+    mSquaredLength = std::max(mSquaredLength, (point - mOrigin).squaredNorm());
+    mTwiceArea += gained;
     findFlatness();
+}
+
+std::size_t ImageHull::replaceBefore(std::size_t end, std::size_t count, const Vec2& point) {
+    const auto shift = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+    // Those that come before the polygon's first vertex are its last.
+    const std::size_t front = std::min(end, count);
+    mHull.resize(mHull.size() - (count - front));
+    mEdges.resize(mHull.size());
+    const std::size_t at = end > 0 ? end - front : mHull.size();
+    if (front == 0) {
+        mHull.insert(mHull.begin() + shift(at), point);
+        mEdges.insert(mEdges.begin() + shift(at), Plane());
+    } else {
+        mHull[at] = point;
+        mHull.erase(mHull.begin() + shift(at + 1), mHull.begin() + shift(end));
+        mEdges.erase(mEdges.begin() + shift(at + 1), mEdges.begin() + shift(end));
+    }
+    return at;
 }
 
 std::array<Vec2, 8> boxImage(const LightImage& image, const Box& box) {

@@ -31,18 +31,25 @@ private:
     /// Finds the hull of its vertices and one more point anew.
     void rebuild(const Vec2& point);
     void findFlatness();
+    /// Puts the point in the place of `count` vertices before the vertex `end`, around the polygon.
+    /// @return where it is now; the edges to and from there are left to be set
+    std::size_t replaceBefore(std::size_t end, std::size_t count, const Vec2& point);
 
     LightImage mImage;
     Polygon2 mHull;
     std::vector<Plane> mEdges;
     /// The largest coordinate of the hull's vertices.
     double mCoordinate = 0.0;
+    double mTwiceArea = 0.0;
+    /// Of the longest way from a point of the hull to any that was added since: at least half its
+    /// length.
+    Vec2 mOrigin = Vec2::Zero();
+    double mSquaredLength = 0.0;
     /// So narrow that rounding decides which side of an edge a point is on, or no polygon.
     bool mFlat = true;
     std::size_t mRevision = 0;
-    /// What is being built while the hull changes.
-    Polygon2 mNextHull;
-    std::vector<Plane> mNextEdges;
+    /// What the hull is rebuilt from.
+    Polygon2 mPoints;
 };
 
 /// The image of a box's eight corners; all of them must be in front of a local light.

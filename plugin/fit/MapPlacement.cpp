@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace Lixel {
@@ -27,79 +28,51 @@ constexpr double LeastAspect = 1.0 / 4096.0;
 /// Chooses the map's axes around the warped region: the smallest rectangle, unless the last
 /// frame's orientation is nearly as good.
 OrientedRectangle chooseRectangle(const Polygon2& warped, const LightImage& image,
-                                  FitState& state) {
+                                  const std::optional<Vec3>& wsLastAxis, Affine& result) {
     const OrientedRectangle best = smallestRectangle(warped);
-    if (state.wsMapAxis) {
-        const Vec3 axis = image.lsFromDirection(*state.wsMapAxis);
+    if (wsLastAxis) {
+        const Vec3 axis = image.lsFromDirection(*wsLastAxis);
         const double angle = std::fmod(std::atan2(axis.y(), axis.x()) + 2.0 * std::numbers::pi,
                                        std::numbers::pi / 2.0);
         const OrientedRectangle kept = boundsAt(warped, angle);
         // Where the two are one but for rounding, the one that a fresh state finds is taken; and a
         // kept axis stays as it is: nothing may creep while nothing moves.
         if (kept.area() > best.area() * (1.0 + SameArea)) {
-            if (kept.area() * (1.0 - OrientationGain) <= best.area()) return kept;
-            ++state.orientationJumps;
+            if (kept.area() * (1.0 - OrientationGain) <= best.area()) {
+                result.wsMapAxis = wsLastAxis;
+                return kept;
+            }
+            result.turned = true;
         }
     }
-    state.wsMapAxis =
+    result.wsMapAxis =
         image.lsFromWs().transpose() * Vec3(std::cos(best.angle), std::sin(best.angle), 0.0);
     return best;
 }
 
-/// Where the region's rectangle lies in the map.
-struct Placement {
-    /// Wide enough in both directions to be more than rounding.
-    OrientedRectangle rectangle;
-    /// Texels kept free on each side, along the map's axes.
-    Vec2 border;
-    /// Size of the map in texels.
-    Vec2 size;
-
-    /// The map's coordinates, -1 to 1, from a rectangle's: scale and offset along one axis.
-    double scale(int axis) const {
-        const double sides = rectangle.max[axis] - rectangle.min[axis];
-        return 2.0 * (size[axis] - 2.0 * border[axis]) / size[axis] / sides;
-    }
-    double offset(int axis) const {
-        return -scale(axis) * (rectangle.min[axis] + rectangle.max[axis]) / 2.0;
-    }
-};
-
-/// Places the rectangle, widened about its middle where it is too narrow.
-/// @param liReach the distance over which positions are measured, as a length in the light image
-/// @param magnification how much the warp enlarges the rounding of a position, where it does most
-Placement place(const ShadowProblem& problem, OrientedRectangle rectangle, double liReach,
-                double magnification) {
-    Placement result{rectangle, Vec2::Zero(), Vec2(problem.mapWidth, problem.mapHeight)};
+/// Widens the rectangle about its middle where it is too narrow to be more than rounding.
+void widen(OrientedRectangle& rectangle, const Vec2& size, double liReach) {
     const double longest = (rectangle.max - rectangle.min).maxCoeff();
     for (int axis = 0; axis < 2; ++axis) {
-        double& lower = result.rectangle.min[axis];
-        double& upper = result.rectangle.max[axis];
-        const double least =
-            std::max(longest * LeastAspect, result.size[axis] * LeastTexel * liReach);
+        double& lower = rectangle.min[axis];
+        double& upper = rectangle.max[axis];
+        const double least = std::max(longest * LeastAspect, size[axis] * LeastTexel * liReach);
         if (upper - lower < least) {
             const double middle = (lower + upper) / 2.0;
             lower = middle - least / 2.0;
             upper = middle + least / 2.0;
         }
-        const double texel = (upper - lower) / result.size[axis];
-        result.border[axis] =
-            leastBorder(problem.filterRadius) + magnification * PositionRounding * liReach / texel;
     }
-    return result;
 }
 
-/// The rectangle's sides, without the border, become -1 and 1.
-Affine affineFit(const Placement& placement) {
-    const double cosine = std::cos(placement.rectangle.angle);
-    const double sine = std::sin(placement.rectangle.angle);
-    const double x = placement.scale(0);
-    const double y = placement.scale(1);
-    Affine result{Mat3::Identity(), placement.border, placement.rectangle.angle};
-    result.mapFromWarped << x * cosine, x * sine, placement.offset(0), //
-        -y * sine, y * cosine, placement.offset(1),                    //
-        0.0, 0.0, 1.0;
-    return result;
+/// How much a warp enlarges a short way in the light image, as seen along an axis of the map, where
+/// it does most: the norm of that row of (I - p w^T) / D, which is the derivative of p = q / D with
+/// D = 1 + w . q = 1 / (1 - w . p).
+double magnification(const Polygon2& warped, const Vec2& warp, const Vec2& axis) {
+    double greatest = 0.0;
+    for (const Vec2& p : warped)
+        greatest = std::max(greatest, (1.0 - warp.dot(p)) * (axis - axis.dot(p) * warp).norm());
+    return greatest;
 }
 
 } // namespace
@@ -116,14 +89,37 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre) {
 }
 
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
-                   double liReach, double magnification, FitState& state) {
-    return affineFit(place(problem, chooseRectangle(warped, image, state), liReach, magnification));
+                   const Vec2& warp, double liReach, const FitState& state) {
+    Affine result{};
+    OrientedRectangle rectangle = chooseRectangle(warped, image, state.wsMapAxis, result);
+    const Vec2 size(problem.mapWidth, problem.mapHeight);
+    widen(rectangle, size, liReach);
+    result.mapAngle = rectangle.angle;
+    const Vec2 x(std::cos(rectangle.angle), std::sin(rectangle.angle));
+    const std::array<Vec2, 2> axes = {x, Vec2(-x.y(), x.x())};
+    result.mapFromWarped.setIdentity();
+    for (int i = 0; i < 2; ++i) {
+        const Vec2& axis = axes[static_cast<std::size_t>(i)];
+        const double side = rectangle.max[i] - rectangle.min[i];
+        const double rounding =
+            magnification(warped, warp, axis) * PositionRounding * liReach * size[i] / side;
+        result.rounding = std::max(result.rounding, rounding);
+        result.border[i] = leastBorder(problem.filterRadius) + std::min(rounding, GreatestRounding);
+        // The rectangle's sides, without the border, become -1 and 1.
+        const double scale = 2.0 * (size[i] - 2.0 * result.border[i]) / size[i] / side;
+        result.mapFromWarped.row(i) << scale * axis.x(), scale * axis.y(),
+            -scale * (rectangle.min[i] + rectangle.max[i]) / 2.0;
+    }
+    return result;
 }
 
 Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp) {
     const Mat3 h = homography / homography.row(2).dot(centre.homogeneous());
     warp = h.row(2).head<2>();
-    return {h * warpMatrix(warp, centre).inverse(), Vec2::Constant(leastBorder(filterRadius)), 0.0};
+    Affine result{};
+    result.mapFromWarped = h * warpMatrix(warp, centre).inverse();
+    result.border.setConstant(leastBorder(filterRadius));
+    return result;
 }
 
 void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, const Vec2& centre,

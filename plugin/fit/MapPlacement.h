@@ -13,10 +13,9 @@ inline constexpr double PositionRounding = 4.0 * 0x1p-24;
 /// measured: PositionRounding is an eighth of it.
 inline constexpr double LeastTexel = 0x1p-19;
 
-/// Most that a warp is counted with to magnify such rounding where its denominator is least. There
-/// a texel may be smaller than LeastTexel by more; rounding then shows, and no border makes up for
-/// it.
-inline constexpr double GreatestMagnification = 8.0;
+/// Texels that such rounding may move an address by, which a map's border makes up for. Where a
+/// warp makes texels finer than that, rounding would show, and nobody could see them.
+inline constexpr double GreatestRounding = 1.0;
 
 /// Texels to keep free on each side of a map, with nothing added for the rounding of positions.
 double leastBorder(double filterRadius);
@@ -26,6 +25,12 @@ struct Affine {
     Mat3 mapFromWarped;
     Vec2 border;
     double mapAngle;
+    /// Texels of the border, at most, that make up for rounding of positions.
+    double rounding = 0.0;
+    /// The map's x axis, as a direction in the world, for the next frame.
+    std::optional<Vec3> wsMapAxis;
+    /// Whether the last frame's axis was given up for a smaller map.
+    bool turned = false;
 };
 
 /// (q - c) / (1 + w . (q - c)), as a homography of ℓ = (q, 1).
@@ -36,10 +41,9 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre);
 
     @param warped the focus region's hull after the warp
     @param liReach the distance over which positions are measured, as a length in the light image
-    @param magnification how much the warp enlarges the rounding of a position, where it does most
 */
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
-                   double liReach, double magnification, FitState& state);
+                   const Vec2& warp, double liReach, const FitState& state);
 
 /// A map that is given whole, as the warp that its row w is and what is affine in it.
 Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp);

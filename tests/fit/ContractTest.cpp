@@ -63,9 +63,9 @@ protected:
 
     /** Receiver and occluder meet within a quarter of a texel when the graphics card computes both.
 
-        Where texels are finer than the steps of float it is within those steps: a caster 5 units
-        before a light that is 7000 from the viewer, the near end of a strong warp. Texels as coarse
-        as the steps would cost all other shadows, and mend nothing. Such scenes are rare. */
+        Where texels are as fine as the steps of float it is within those steps: a caster 5 units
+        before a light that is 7000 from the viewer, the near end of a strong warp. Texels coarser
+        than the steps would cost all other shadows, and mend nothing. Such scenes are rare. */
     void isOneTexelInFloat(const rc::Gen<Scene>& scenes);
 };
 
@@ -161,6 +161,40 @@ rc::Gen<Scene> smallFarReceiver() {
     });
 }
 
+/// A narrow view down onto a floor, across the edge of a thin wall: the best warp makes texels at
+/// its near end finer than float positions are.
+Scene narrowViewOfFloor() {
+    Scene scene;
+    scene.viewer.viewFromWorld << //
+        -0.99983985450815693,
+        0.0, -0.017895958680876033, 0.67351483294963732, -0.00052811764627213036,
+        0.99956447207147325, 0.029505715789128608, -0.95232379603599371, 0.017888164491062751,
+        0.029510441753337703, -0.99940439632746447, -1.0187716700644984, //
+        0.0, 0.0, 0.0, 1.0;
+    scene.viewer.clipFromView << //
+        9.190197650286267,
+        0.0, 0.44979224773470983, 0.0, //
+        0.0, 6.5465222130652903, 0.86585974245958874, 0.0, 0.0, 0.0, -1.0044616654603671,
+        -0.072143657557836055, //
+        0.0, 0.0, -1.0, 0.0;
+    scene.viewer.shadowDistance = 0.61787400237458401;
+    scene.light.wsDirection = Vec3(0.78503598111435791, 0.52398943711057788, -0.77003584661726643);
+    scene.mapWidth = 2048;
+    scene.mapHeight = 1024;
+    scene.filterRadius = 2.5;
+    scene.depthClamp = false;
+    for (const Box& box :
+         {Box{{0.69112798879674797, 0.68197343445520819, -0.97801269702984661}, {20.0, 0.0, 20.0}},
+          Box{{0.75490187448904389, 0.88784583858416721, -0.69665216881486824},
+              {0.31603505245445007, 0.20700237709176458, 0.0050343761086320089}},
+          Box{{0.70860291114986163, 0.92171757986399427, -0.88937727079179874},
+              {0.0059723448075804705, 0.092504118199390806, 0.44309975247468358}}}) {
+        scene.casters.add(box);
+        scene.receivers.add(box);
+    }
+    return scene;
+}
+
 } // namespace
 
 INSTANTIATE_TEST_SUITE_P(EveryTechnique, Contract, testing::ValuesIn(techniques()), ByName{});
@@ -206,6 +240,21 @@ TEST_P(Contract, ShadowedPointsLieInsideTheMapsBorder) {
 
 TEST_P(Contract, ShadowedPointsOfASmallFarReceiverLieInsideTheMapsBorder) {
     forAnyShadow(liesInsideTheBorder, smallFarReceiver());
+}
+
+TEST_P(Contract, ShadowedPointsOfANarrowViewOfAFloorLieInsideTheMapsBorder) {
+    const Scene scene = narrowViewOfFloor();
+    FitState state;
+    const ShadowFit fit = GetParam().fit(scene.problem(), state);
+    ASSERT_TRUE(fit.hasMap());
+    Dice dice(1);
+    const auto points = shadowedPoints(scene, dice, 100 * RaysPerScene);
+    ASSERT_FALSE(points.empty());
+    const Mat4 rounded = roundedToFloat(fit.clipFromWorld);
+    double least = 1e30;
+    for (const ShadowedPoint& point : points)
+        least = std::min(least, insideBorder(texelOf(rounded, scene, point.wsReceiver), scene));
+    EXPECT_GE(least, scene.filterRadius + 1.0);
 }
 
 TEST_P(Contract, OccludersAreDrawn) {
