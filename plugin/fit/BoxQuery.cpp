@@ -109,8 +109,10 @@ void lanesReaching(std::span<const BoxSet::Block> blocks, std::span<const Reach>
 
 } // namespace
 
-void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& kept) {
+void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& kept,
+                  std::vector<std::size_t>& indices) {
     kept.clear();
+    indices.clear();
     // A hull of more edges than this drops fewer boxes here; that costs time alone.
     std::array<Reach, 2 * ConvexVolume::Capacity> reaches;
     const std::size_t count = std::min(planes.size(), reaches.size());
@@ -125,7 +127,9 @@ void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& ke
             for (unsigned lanes = reaching[i]; lanes != 0; lanes &= lanes - 1) {
                 const std::size_t index = (first + i) * BoxSet::BlockSize +
                                           static_cast<std::size_t>(std::countr_zero(lanes));
-                if (index < boxes.size()) kept.copy(boxes, index);
+                if (index >= boxes.size()) continue;
+                kept.copy(boxes, index);
+                indices.push_back(index);
             }
     }
 }

@@ -27,7 +27,7 @@ constexpr std::array<ClipScratch::Edge, 12> BoxEdges = {{{{0, 1}, {2, 4}},
                                                          {{3, 7}, {1, 3}}}};
 
 /// Cuts off what lies more than `slack` outside the plane; the cut becomes face `newFace`.
-void clipEdges(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch& scratch) {
+void cutOff(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch& scratch) {
     std::vector<Vec3>& vertices = scratch.vertices;
     std::vector<ClipScratch::Edge>& edges = scratch.edges;
     scratch.distances.clear();
@@ -64,6 +64,17 @@ void clipEdges(const Plane& plane, double slack, std::uint32_t newFace, ClipScra
             if (scratch.cuts[i].face == scratch.cuts[k].face)
                 edges.push_back({{scratch.cuts[i].vertex, scratch.cuts[k].vertex},
                                  {scratch.cuts[i].face, newFace}});
+}
+
+/// Appends the vertices that edges are left of.
+void appendVertices(ClipScratch& scratch, std::vector<Vec3>& points) {
+    scratch.used.assign(scratch.vertices.size(), false);
+    for (const ClipScratch::Edge& edge : scratch.edges)
+        for (const std::uint32_t vertex : edge.vertices) {
+            if (scratch.used[vertex]) continue;
+            scratch.used[vertex] = true;
+            points.push_back(scratch.vertices[vertex]);
+        }
 }
 
 } // namespace
@@ -174,15 +185,22 @@ void clipBox(const Box& box, const ConvexVolume& volume, ClipScratch& scratch,
         const double slack = OnPlane * (plane.normal.cwiseAbs().dot(box.centre.cwiseAbs()) +
                                         radius + std::abs(plane.offset));
         if (distance < -radius - slack) return;
-        clipEdges(plane, slack, face++, scratch);
+        cutOff(plane, slack, face++, scratch);
     }
-    scratch.used.assign(scratch.vertices.size(), false);
-    for (const ClipScratch::Edge& edge : scratch.edges)
-        for (const std::uint32_t vertex : edge.vertices) {
-            if (scratch.used[vertex]) continue;
-            scratch.used[vertex] = true;
-            points.push_back(scratch.vertices[vertex]);
-        }
+    appendVertices(scratch, points);
+}
+
+void clipEdges(const ConvexVolume& volume, std::uint32_t faces, ClipScratch& scratch,
+               std::vector<Vec3>& points) {
+    Vec3 reach = Vec3::Zero();
+    for (const Vec3& vertex : scratch.vertices)
+        reach = reach.cwiseMax(vertex.cwiseAbs());
+    for (const Plane& plane : volume.planes()) {
+        const double slack =
+            OnPlane * (plane.normal.cwiseAbs().dot(reach) + std::abs(plane.offset));
+        cutOff(plane, slack, faces++, scratch);
+    }
+    appendVertices(scratch, points);
 }
 
 } // namespace Lixel

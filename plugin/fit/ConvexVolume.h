@@ -82,6 +82,11 @@ struct ClipScratch {
 void clipBox(const Box& box, const ConvexVolume& volume, ClipScratch& scratch,
              std::vector<Vec3>& points);
 
+/** The same of the body whose vertices and edges are in the scratch memory.
+    @param faces how many it has, which its edges are numbered by */
+void clipEdges(const ConvexVolume& volume, std::uint32_t faces, ClipScratch& scratch,
+               std::vector<Vec3>& points);
+
 /// The eight corners of a box.
 std::array<Vec3, 8> corners(const Box& box);
 

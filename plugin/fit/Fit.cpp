@@ -64,7 +64,7 @@ bool isValid(const ShadowProblem& problem) {
     if (problem.casters == nullptr || problem.receivers == nullptr) return false;
     if (problem.mapWidth < 1 || problem.mapHeight < 1) return false;
     if (!(problem.filterRadius >= 0.0)) return false;
-    if (2.0 * (leastBorder(problem.filterRadius) + GreatestRounding) >=
+    if (2.0 * (leastBorder(problem.filterRadius) + GreatestBorderRounding) >=
         std::min(problem.mapWidth, problem.mapHeight))
         return false;
     if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return false;

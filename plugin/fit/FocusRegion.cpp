@@ -1,5 +1,6 @@
 #include "fit/FocusRegion.h"
 
+#include "fit/BodyHull.h"
 #include "fit/BoxQuery.h"
 #include "fit/LightVolume.h"
 #include "fit/ShadowParts.h"
@@ -18,14 +19,14 @@ void include(Vec2& range, double least, double greatest) {
     range = {std::min(range.x(), least), std::max(range.y(), greatest)};
 }
 
-/** Calls `add` for the boxes of a set, but for those in `within(block)`, a set of lanes as bits
-    which may grow where `add` returns true. The largest comes first: it is the likeliest to spare
-    the others. */
+/** Calls `add` for the boxes of a set and their indices, but for those in `within(block)`, a set of
+    lanes as bits which may grow where `add` returns true. The largest comes first: it is the
+    likeliest to spare the others. */
 template <typename Within, typename Add>
 void addAllBut(const BoxSet& boxes, const Within& within, const Add& add) {
     if (boxes.size() == 0) return;
     const std::size_t largest = largestBox(boxes);
-    add(boxes.box(largest));
+    add(boxes.box(largest), largest);
     std::size_t first = 0;
     for (const BoxSet::Block& block : boxes.blocks()) {
         const std::size_t count = std::min(boxes.size() - first, BoxSet::BlockSize);
@@ -35,11 +36,21 @@ void addAllBut(const BoxSet& boxes, const Within& within, const Add& add) {
         while (rest != 0) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
             rest &= rest - 1;
-            if (add(boxes.box(first + lane)) && rest != 0) rest &= ~within(block);
+            if (add(boxes.box(first + lane), first + lane) && rest != 0) rest &= ~within(block);
         }
         first += BoxSet::BlockSize;
     }
 }
+
+/// A body's hull, if it is known, and where it is.
+struct PlacedHull {
+    const BodyHull* hull = nullptr;
+    Eigen::Affine3d wsFromBody;
+
+    PlacedHull(const BodyShapes* shapes, std::size_t index) {
+        if (shapes != nullptr) hull = shapes->hullOf(index, wsFromBody);
+    }
+};
 
 /// Collects what is visible of receivers.
 class Receivers {
@@ -60,28 +71,39 @@ public:
     }
 
     void addAll(const BoxSet& receivers) {
-        keepReaching(receivers, mSeen.planes(), mScratch.receiversInView);
+        keepReaching(receivers, mSeen.planes(), mScratch.receiversInView, mScratch.indices);
         addAllBut(
             mScratch.receiversInView,
             [this](const BoxSet::Block& block) { return lanesWithin(block); },
-            [this](const Box& box) {
+            [this](const Box& box, std::size_t index) {
                 const std::size_t revision = mScratch.receivers.revision();
                 const Vec2 lsRange = mLsRange;
                 const Vec2 vsRange = mVsRange;
-                add(box);
+                add(box, mScratch.indices[index]);
                 return revision != mScratch.receivers.revision() || lsRange != mLsRange ||
                        vsRange != mVsRange;
             });
     }
-    void add(const Box& box) {
-        switch (mSeen.classify(box)) {
-        case ConvexVolume::Side::Outside:
-            return;
-        case ConvexVolume::Side::Inside:
-            return addCorners(box);
-        case ConvexVolume::Side::Straddles:
-            return addClipped(box);
+    /// Adds what is visible of a body.
+    void add(const Box& box, std::size_t index) {
+        const ConvexVolume::Side side = mSeen.classify(box);
+        if (side == ConvexVolume::Side::Outside) return;
+        const PlacedHull body(mProblem.receiverShapes, index);
+        if (body.hull != nullptr) {
+            mScratch.wsPoints.clear();
+            clipHull(*body.hull, body.wsFromBody, mSeen, mScratch.clip, mScratch.wsPoints);
+            addPoints();
+        } else if (side == ConvexVolume::Side::Inside) {
+            addCorners(box);
+        } else {
+            addClipped(box);
         }
+    }
+
+    void addClipped(const Box& box) {
+        mScratch.wsPoints.clear();
+        clipBox(box, mSeen, mScratch.clip, mScratch.wsPoints);
+        addPoints();
     }
 
     const Vec2& lsRange() const { return mLsRange; }
@@ -109,9 +131,7 @@ private:
             mScratch.receivers.add(point);
     }
 
-    void addClipped(const Box& box) {
-        mScratch.wsPoints.clear();
-        clipBox(box, mSeen, mScratch.clip, mScratch.wsPoints);
+    void addPoints() {
         for (const Vec3& ws : mScratch.wsPoints) {
             const Vec3 ls = mImage.lsFromPoint(ws);
             // A clipped vertex lies on the near plane but for rounding; nothing is divided by less.
@@ -159,15 +179,15 @@ public:
             for (std::size_t i = begin; i < edges.size(); i += step)
                 planes.push_back(edges[i]);
         planes.push_back(mLsDepth.to(mLsReceiverFar));
-        keepReaching(casters, planes, mScratch.kept);
+        keepReaching(casters, planes, mScratch.kept, mScratch.indices);
 
         planes.clear();
         addAllBut(
             mScratch.kept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
-            [this](const Box& box) {
+            [this](const Box& box, std::size_t index) {
                 const std::size_t revision = mScratch.casters.revision();
                 const double lsNear = mLsNear;
-                add(box);
+                add(box, mScratch.indices[index]);
                 return revision != mScratch.casters.revision() || lsNear != mLsNear;
             });
     }
@@ -220,27 +240,28 @@ private:
         }
     }
 
-    void add(const Box& box) {
+    void add(const Box& box, std::size_t index) {
+        const ConvexVolume::Side side = mLit.classify(box);
+        if (side == ConvexVolume::Side::Outside) return;
         double nearest = mLsDepth.over(box).x();
         mScratch.points.clear();
-        switch (mLit.classify(box)) {
-        case ConvexVolume::Side::Outside:
-            return;
-        case ConvexVolume::Side::Inside:
+        const PlacedHull body(mProblem.casterShapes, index);
+        if (body.hull == nullptr && side == ConvexVolume::Side::Inside) {
             for (const Vec2& point : boxImage(mImage, box))
                 mScratch.points.push_back(point);
-            break;
-        case ConvexVolume::Side::Straddles:
+        } else {
             nearest = Infinity;
             mScratch.wsPoints.clear();
-            clipBox(box, mLit, mScratch.clip, mScratch.wsPoints);
+            if (body.hull != nullptr)
+                clipHull(*body.hull, body.wsFromBody, mLit, mScratch.clip, mScratch.wsPoints);
+            else
+                clipBox(box, mLit, mScratch.clip, mScratch.wsPoints);
             for (const Vec3& ws : mScratch.wsPoints) {
                 const Vec3 ls = mImage.lsFromPoint(ws);
-                if (-ls.z() < 0.5 * mProblem.light.nearDistance) continue;
+                if (!mImage.directional() && -ls.z() < 0.5 * mProblem.light.nearDistance) continue;
                 nearest = std::min(nearest, -ls.z());
                 mScratch.points.push_back(mImage.project(ls));
             }
-            break;
         }
         if (mScratch.points.empty()) return;
         if (!clipToReceivers(box)) return;
@@ -310,7 +331,7 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
     if (receivers.unbounded() > 0) {
         Box everything;
         if (!viewBounds(problem.viewer, everything)) return stop(FitReason::Unbounded);
-        visible.add(everything);
+        visible.addClipped(everything);
         region.reason = FitReason::UnboundedBody;
     }
     if (scratch.receivers.hull().empty()) return stop(FitReason::NoReceivers);

@@ -12,6 +12,8 @@ struct FocusScratch {
     /// into what covers them.
     BoxSet receiversInView;
     BoxSet kept;
+    /// Indices of either in the problem's set.
+    std::vector<std::size_t> indices;
     /// Half spaces that boxes are asked about.
     std::vector<Plane> planes;
     std::vector<Vec3> wsPoints;

@@ -27,9 +27,9 @@ constexpr double LeastAspect = 1.0 / 4096.0;
 
 /// Chooses the map's axes around the warped region: the smallest rectangle, unless the last
 /// frame's orientation is nearly as good.
-OrientedRectangle chooseRectangle(const Polygon2& warped, const LightImage& image,
-                                  const std::optional<Vec3>& wsLastAxis, Affine& result) {
-    const OrientedRectangle best = smallestRectangle(warped);
+OrientedRectangle chooseRectangle(const Polygon2& warped, const OrientedRectangle& smallest,
+                                  const LightImage& image, const std::optional<Vec3>& wsLastAxis,
+                                  Affine& result) {
     if (wsLastAxis) {
         const Vec3 axis = image.lsFromDirection(*wsLastAxis);
         const double angle = std::fmod(std::atan2(axis.y(), axis.x()) + 2.0 * std::numbers::pi,
@@ -37,17 +37,23 @@ OrientedRectangle chooseRectangle(const Polygon2& warped, const LightImage& imag
         const OrientedRectangle kept = boundsAt(warped, angle);
         // Where the two are one but for rounding, the one that a fresh state finds is taken; and a
         // kept axis stays as it is: nothing may creep while nothing moves.
-        if (kept.area() > best.area() * (1.0 + SameArea)) {
-            if (kept.area() * (1.0 - OrientationGain) <= best.area()) {
+        if (kept.area() > smallest.area() * (1.0 + SameArea)) {
+            if (kept.area() * (1.0 - OrientationGain) <= smallest.area()) {
                 result.wsMapAxis = wsLastAxis;
                 return kept;
             }
             result.turned = true;
         }
     }
-    result.wsMapAxis =
-        image.lsFromWs().transpose() * Vec3(std::cos(best.angle), std::sin(best.angle), 0.0);
-    return best;
+    result.wsMapAxis = image.lsFromWs().transpose() *
+                       Vec3(std::cos(smallest.angle), std::sin(smallest.angle), 0.0);
+    return smallest;
+}
+
+/// The unit vectors along a rectangle's sides.
+std::array<Vec2, 2> axesOf(const OrientedRectangle& rectangle) {
+    const Vec2 x(std::cos(rectangle.angle), std::sin(rectangle.angle));
+    return {x, Vec2(-x.y(), x.x())};
 }
 
 /// Widens the rectangle about its middle where it is too narrow to be more than rounding.
@@ -75,6 +81,19 @@ double magnification(const Polygon2& warped, const Vec2& warp, const Vec2& axis)
     return greatest;
 }
 
+/// Texels that rounding of positions moves addresses by at most, along each axis of the map.
+Vec2 roundingTexels(const Polygon2& warped, const Vec2& warp, double liReach,
+                    const OrientedRectangle& rectangle, const Vec2& size) {
+    const std::array<Vec2, 2> axes = axesOf(rectangle);
+    Vec2 result;
+    for (int i = 0; i < 2; ++i) {
+        const double texel = (rectangle.max[i] - rectangle.min[i]) / size[i];
+        result[i] = magnification(warped, warp, axes[static_cast<std::size_t>(i)]) *
+                    PositionRounding * liReach / texel;
+    }
+    return result;
+}
+
 } // namespace
 
 double leastBorder(double filterRadius) {
@@ -91,22 +110,23 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre) {
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
                    const Vec2& warp, double liReach, const FitState& state) {
     Affine result{};
-    OrientedRectangle rectangle = chooseRectangle(warped, image, state.wsMapAxis, result);
+    OrientedRectangle smallest = smallestRectangle(warped);
+    OrientedRectangle rectangle = chooseRectangle(warped, smallest, image, state.wsMapAxis, result);
     const Vec2 size(problem.mapWidth, problem.mapHeight);
+    widen(smallest, size, liReach);
     widen(rectangle, size, liReach);
+    result.rounding = roundingTexels(warped, warp, liReach, smallest, size).maxCoeff();
+    const Vec2 rounding = roundingTexels(warped, warp, liReach, rectangle, size);
+    result.border =
+        rounding.cwiseMin(GreatestBorderRounding).array() + leastBorder(problem.filterRadius);
     result.mapAngle = rectangle.angle;
-    const Vec2 x(std::cos(rectangle.angle), std::sin(rectangle.angle));
-    const std::array<Vec2, 2> axes = {x, Vec2(-x.y(), x.x())};
+    // The rectangle's sides, without the border, become -1 and 1.
+    const std::array<Vec2, 2> axes = axesOf(rectangle);
     result.mapFromWarped.setIdentity();
     for (int i = 0; i < 2; ++i) {
         const Vec2& axis = axes[static_cast<std::size_t>(i)];
-        const double side = rectangle.max[i] - rectangle.min[i];
-        const double rounding =
-            magnification(warped, warp, axis) * PositionRounding * liReach * size[i] / side;
-        result.rounding = std::max(result.rounding, rounding);
-        result.border[i] = leastBorder(problem.filterRadius) + std::min(rounding, GreatestRounding);
-        // The rectangle's sides, without the border, become -1 and 1.
-        const double scale = 2.0 * (size[i] - 2.0 * result.border[i]) / size[i] / side;
+        const double scale = 2.0 * (size[i] - 2.0 * result.border[i]) / size[i] /
+                             (rectangle.max[i] - rectangle.min[i]);
         result.mapFromWarped.row(i) << scale * axis.x(), scale * axis.y(),
             -scale * (rectangle.min[i] + rectangle.max[i]) / 2.0;
     }

@@ -17,6 +17,9 @@ inline constexpr double LeastTexel = 0x1p-19;
 /// warp makes texels finer than that, rounding would show, and nobody could see them.
 inline constexpr double GreatestRounding = 1.0;
 
+/// The same in a map whose axes are those of the last frame, which a warp does not depend on.
+inline constexpr double GreatestBorderRounding = 2.0 * GreatestRounding;
+
 /// Texels to keep free on each side of a map, with nothing added for the rounding of positions.
 double leastBorder(double filterRadius);
 
@@ -25,7 +28,7 @@ struct Affine {
     Mat3 mapFromWarped;
     Vec2 border;
     double mapAngle;
-    /// Texels of the border, at most, that make up for rounding of positions.
+    /// Texels that rounding of positions moves addresses by at most, in the smallest rectangle.
     double rounding = 0.0;
     /// The map's x axis, as a direction in the world, for the next frame.
     std::optional<Vec3> wsMapAxis;

@@ -45,6 +45,7 @@ struct VisiblePoint {
     Vec3 wsNormal = Vec3::UnitY();
 };
 
+class BodyShapes;
 struct ShadowPart;
 
 /** One light, one viewer and this frame's bodies: everything that a fit depends on.
@@ -57,6 +58,9 @@ struct ShadowProblem {
     ShadowLight light;
     const BoxSet* casters = nullptr;
     const BoxSet* receivers = nullptr;
+    /// Shapes of casters and of receivers, where more is known than their boxes: @see BodyHull.h
+    const BodyShapes* casterShapes = nullptr;
+    const BodyShapes* receiverShapes = nullptr;
     /// Receivers whose surface is known better than from their boxes, by ascending `receiver`.
     std::span<const KnownSurface> surfaces{};
     /** What the viewer sees of the receivers, if it is known better than from all these: points

@@ -46,15 +46,19 @@ RC_GTEST_PROP(KeepReaching, DropsWhatAPlaneSeparates, ()) {
     const std::vector<Plane> planes = anyPlanes(dice);
     BoxSet kept;
     kept.addUnbounded();
-    keepReaching(boxes, planes, kept);
+    std::vector<std::size_t> indices = {7};
+    keepReaching(boxes, planes, kept, indices);
     RC_ASSERT(kept.unbounded() == 0U);
+    RC_ASSERT(indices.size() == kept.size());
     std::size_t next = 0;
-    for (const Box& box : boxes.boxes()) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Box box = boxes.box(i);
         const bool reaches = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
             return over(plane, box).y() >= 0.0;
         });
         if (!reaches) continue;
         RC_ASSERT(next < kept.size());
+        RC_ASSERT(indices[next] == i);
         RC_ASSERT(kept.box(next).centre == box.centre);
         RC_ASSERT(kept.box(next).halfExtents == box.halfExtents);
         ++next;
@@ -67,8 +71,9 @@ TEST(KeepReaching, KeepsWhatTouchesButForRounding) {
     boxes.add({Vec3(1000.0 * (1.0 - 1e-15), 0.0, 0.0), Vec3::Zero()});
     boxes.add({Vec3(1000.0 * (1.0 - 1e-9), 0.0, 0.0), Vec3::Zero()});
     BoxSet kept;
+    std::vector<std::size_t> indices;
     const Plane plane{Vec3::UnitX(), -1000.0};
-    keepReaching(boxes, {&plane, 1}, kept);
+    keepReaching(boxes, {&plane, 1}, kept, indices);
     EXPECT_EQ(kept.size(), 1U);
     // Exactly on a plane through the origin, where all terms vanish.
     boxes.clear();
@@ -76,7 +81,7 @@ TEST(KeepReaching, KeepsWhatTouchesButForRounding) {
     for (const Vec3& normal : {Vec3(1, 1, 1), Vec3(-1, -1, -1), Vec3(1, -1, 0)})
         for (const double offset : {0.0, -0.0}) {
             const Plane through{normal, offset};
-            keepReaching(boxes, {&through, 1}, kept);
+            keepReaching(boxes, {&through, 1}, kept, indices);
             EXPECT_EQ(kept.size(), 1U) << normal.transpose();
         }
 }

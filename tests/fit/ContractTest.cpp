@@ -45,12 +45,12 @@ protected:
 
     template <typename Property>
     void forAnyScene(const Property& property) {
-        forAny(anyScene(), property);
+        forAny(anySceneOfHulls(), property);
     }
 
     /// The same over the fits that have a map and at least one shadowed point.
     template <typename Property>
-    void forAnyShadow(const Property& property, const rc::Gen<Scene>& scenes = anyScene()) {
+    void forAnyShadow(const Property& property, const rc::Gen<Scene>& scenes = anySceneOfHulls()) {
         forAny(scenes,
                [&](const Scene& scene, const ShadowFit& fit, const FitState& state, Dice& dice) {
                    if (!fit.hasMap()) return false;
@@ -372,7 +372,7 @@ TEST_P(Contract, TheMatrixAgreesWithALongerArithmetic) {
 }
 
 TEST_P(Contract, OneRayIsOneTexelInFloat) {
-    isOneTexelInFloat(anyScene());
+    isOneTexelInFloat(anySceneOfHulls());
 }
 
 TEST_P(Contract, OneRayOfASmallFarReceiverIsOneTexelInFloat) {

@@ -14,18 +14,51 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// a body's own lit face is not shadowed by the body.
 constexpr double Contact = 1e-7;
 
-/// A point of a box, often near one of its corners, where the borders of shadows come from.
-Vec3 pointOf(const Box& box, Dice& dice) {
+/// The bodies of a set: boxes, some of them turned.
+struct Bodies {
+    const BoxSet& boxes;
+    const TurnedBoxes& turned;
+
+    std::size_t size() const { return boxes.size(); }
+
+    std::optional<Interval> meet(std::size_t index, const Vec3& origin,
+                                 const Vec3& direction) const {
+        const TurnedBox* const body = turned.find(index);
+        if (body == nullptr) return rayInBox(boxes.box(index), origin, direction);
+        const Mat3 back = body->turn.transpose();
+        return rayInBox({Vec3::Zero(), body->box.halfExtents}, back * (origin - body->box.centre),
+                        back * direction);
+    }
+
+    /// The point of a body that is at `at` in the cube -1 to 1.
+    Vec3 point(std::size_t index, const Vec3& at) const {
+        const TurnedBox* const body = turned.find(index);
+        const Box box = body != nullptr ? body->box : boxes.box(index);
+        const Vec3 offset = at.cwiseProduct(box.halfExtents);
+        return box.centre + (body != nullptr ? Vec3(body->turn * offset) : offset);
+    }
+};
+
+Bodies castersOf(const Scene& scene) {
+    return {scene.casters, scene.turnedCasters};
+}
+
+Bodies receiversOf(const Scene& scene) {
+    return {scene.receivers, scene.turnedReceivers};
+}
+
+/// A point of a body, often near one of its corners, where the borders of shadows come from.
+Vec3 pointOf(const Bodies& bodies, std::size_t index, Dice& dice) {
     Vec3 at = dice.cube();
     if (dice.chance(0.7)) at = at.cwiseSign();
     constexpr double JustInside = 1.0 - 1e-6;
-    return box.centre + JustInside * at.cwiseProduct(box.halfExtents);
+    return bodies.point(index, JustInside * at);
 }
 
-void appendHits(const BoxSet& receivers, const Vec3& origin, const Vec3& direction,
+void appendHits(const Bodies& receivers, const Vec3& origin, const Vec3& direction,
                 std::vector<Vec3>& points) {
-    for (const Box& box : receivers.boxes())
-        if (const auto hit = rayInBox(box, origin, direction)) {
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+        if (const auto hit = receivers.meet(i, origin, direction)) {
             if (hit->begin > 0.0) points.push_back(origin + hit->begin * direction);
             if (hit->end > 0.0) points.push_back(origin + hit->end * direction);
         }
@@ -87,8 +120,9 @@ std::optional<Vec3> occluder(const Scene& scene, const Vec3& ws) {
     }
     const double first = Contact * scene.size;
     double farthest = first;
-    for (const Box& box : scene.casters.boxes())
-        if (const auto hit = rayInBox(box, ws, direction))
+    const Bodies casters = castersOf(scene);
+    for (std::size_t i = 0; i < casters.size(); ++i)
+        if (const auto hit = casters.meet(i, ws, direction))
             if (hit->begin < last) farthest = std::max(farthest, std::min(hit->end, last));
     if (farthest == first) return std::nullopt;
     return ws + farthest * direction;
@@ -96,6 +130,7 @@ std::optional<Vec3> occluder(const Scene& scene, const Vec3& ws) {
 
 std::vector<Vec3> visiblePoints(const Scene& scene, Dice& dice, std::size_t rays) {
     std::vector<Vec3> points;
+    const Bodies receivers = receiversOf(scene);
     // Rays of the view. Clip depths -1 and 0 are finite without a far plane too.
     const Mat4 worldFromClip =
         scene.viewer.viewFromWorld.inverse() * scene.viewer.clipFromView.inverse();
@@ -106,12 +141,12 @@ std::vector<Vec3> visiblePoints(const Scene& scene, Dice& dice, std::size_t rays
             dice.chance(0.2) ? std::copysign(1.0 - 1e-9, dice.in(-1.0, 1.0)) : dice.in(-1.0, 1.0);
         const Vec3 begin = (worldFromClip * Vec4(x, y, -1.0, 1.0)).hnormalized();
         const Vec3 end = (worldFromClip * Vec4(x, y, 0.0, 1.0)).hnormalized();
-        appendHits(scene.receivers, begin, end - begin, points);
+        appendHits(receivers, begin, end - begin, points);
     }
-    for (const Box& box : scene.receivers.boxes()) {
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
         Vec3 at = dice.cube().cwiseSign();
         if (dice.chance(0.5)) at[static_cast<Eigen::Index>(dice.below(3))] = dice.in(-1.0, 1.0);
-        points.push_back(box.centre + at.cwiseProduct(box.halfExtents));
+        points.push_back(receivers.point(i, at));
     }
     std::erase_if(points, [&](const Vec3& p) { return !sees(scene.viewer, p); });
     return points;
@@ -119,10 +154,10 @@ std::vector<Vec3> visiblePoints(const Scene& scene, Dice& dice, std::size_t rays
 
 std::vector<ShadowedPoint> shadowedPoints(const Scene& scene, Dice& dice, std::size_t rays) {
     std::vector<Vec3> points = visiblePoints(scene, dice, rays);
-    const BoxSet& casters = scene.casters;
+    const Bodies casters = castersOf(scene);
     for (std::size_t i = 0; i < rays && casters.size() > 0; ++i) {
-        const Vec3 through = pointOf(casters.box(dice.below(casters.size())), dice);
-        appendHits(scene.receivers, through, -towardsLight(scene.light, through), points);
+        const Vec3 through = pointOf(casters, dice.below(casters.size()), dice);
+        appendHits(receiversOf(scene), through, -towardsLight(scene.light, through), points);
     }
     std::vector<ShadowedPoint> result;
     for (const Vec3& p : points)

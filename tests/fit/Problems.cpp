@@ -11,6 +11,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <bit>
 #include <iomanip>
 #include <numbers>
 #include <ostream>
@@ -147,11 +149,33 @@ Vec3 Dice::direction() {
     }
 }
 
+const TurnedBox* TurnedBoxes::find(std::size_t index) const {
+    const auto found = std::lower_bound(
+        all.begin(), all.end(), index,
+        [](const TurnedBox& body, std::size_t value) { return body.index < value; });
+    return found != all.end() && found->index == index ? &*found : nullptr;
+}
+
+const BodyHull* TurnedBoxes::hullOf(std::size_t index, Eigen::Affine3d& wsFromBody) const noexcept {
+    const TurnedBox* const body = find(index);
+    if (body == nullptr) return nullptr;
+    wsFromBody = Eigen::Translation3d(body->box.centre) * Eigen::Affine3d(body->turn);
+    return &body->hull;
+}
+
+void addTurned(const Box& box, const Mat3& turn, BoxSet& set, TurnedBoxes& turned) {
+    const auto own = corners({Vec3::Zero(), box.halfExtents});
+    turned.all.push_back({set.size(), box, turn, makeBodyHull(own)});
+    set.add({box.centre, turn.cwiseAbs() * box.halfExtents});
+}
+
 ShadowProblem Scene::problem() const {
     return {.viewer = viewer,
             .light = light,
             .casters = &casters,
             .receivers = &receivers,
+            .casterShapes = turnedCasters.all.empty() ? nullptr : &turnedCasters,
+            .receiverShapes = turnedReceivers.all.empty() ? nullptr : &turnedReceivers,
             .mapWidth = mapWidth,
             .mapHeight = mapHeight,
             .filterRadius = filterRadius,
@@ -242,13 +266,22 @@ Scene scaled(const Scene& scene, double factor) {
     result.light.wsPosition *= factor;
     result.light.nearDistance *= factor;
     result.light.range *= factor;
-    const auto scaleAll = [&](const BoxSet& from, BoxSet& to) {
+    const auto scaleAll = [&](const BoxSet& from, const TurnedBoxes& turnedFrom, BoxSet& to,
+                              TurnedBoxes& turnedTo) {
         to.clear();
-        for (const Box& box : from.boxes())
-            to.add({box.centre * factor, box.halfExtents * factor});
+        turnedTo.all.clear();
+        const auto scaledBox = [&](const Box& box) {
+            return Box{box.centre * factor, box.halfExtents * factor};
+        };
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            if (const TurnedBox* const body = turnedFrom.find(i))
+                addTurned(scaledBox(body->box), body->turn, to, turnedTo);
+            else
+                to.add(scaledBox(from.box(i)));
+        }
     };
-    scaleAll(scene.casters, result.casters);
-    scaleAll(scene.receivers, result.receivers);
+    scaleAll(scene.casters, scene.turnedCasters, result.casters, result.turnedCasters);
+    scaleAll(scene.receivers, scene.turnedReceivers, result.receivers, result.turnedReceivers);
     return result;
 }
 
@@ -301,6 +334,34 @@ rc::Gen<Scene> anyScene() {
         return scene;
     });
     return build;
+}
+
+rc::Gen<Scene> anySceneOfHulls() {
+    return rc::gen::exec([] {
+        Scene scene = *anyScene();
+        Dice dice(*anySeed());
+        if (dice.chance(0.5)) return scene;
+        const double turns = dice.in(0.2, 1.0);
+        const std::uint64_t seed = dice.below(1U << 30);
+        const auto turnSome = [&](BoxSet& set, TurnedBoxes& turned) {
+            const BoxSet plain = set;
+            set.clear();
+            for (const Box& box : plain.boxes()) {
+                // A body that casts and receives is turned alike.
+                Dice body(seed + std::bit_cast<std::uint64_t>(box.centre.x()));
+                if (body.chance(turns))
+                    addTurned(
+                        box,
+                        Eigen::AngleAxisd(body.in(-3.0, 3.0), body.direction()).toRotationMatrix(),
+                        set, turned);
+                else
+                    set.add(box);
+            }
+        };
+        turnSome(scene.casters, scene.turnedCasters);
+        turnSome(scene.receivers, scene.turnedReceivers);
+        return scene;
+    });
 }
 
 PlaneOptimalOptions groundOf(const ShadowProblem& problem) {
@@ -409,15 +470,18 @@ std::ostream& operator<<(std::ostream& out, const Scene& scene) {
             << ", near " << light.nearDistance << ", range " << light.range;
     out << "\nmap " << scene.mapWidth << " x " << scene.mapHeight << ", filter radius "
         << scene.filterRadius << ", depth clamp " << scene.depthClamp;
-    const auto list = [&](const char* title, const BoxSet& set) {
+    const auto list = [&](const char* title, const BoxSet& set, const TurnedBoxes& turned) {
         out << "\n" << title << " (centre | half extents)";
-        for (const Box& box : set.boxes())
-            out << "\n  " << box;
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            const TurnedBox* const body = turned.find(i);
+            out << "\n  " << (body != nullptr ? body->box : set.box(i));
+            if (body != nullptr) out << " turned by\n" << body->turn;
+        }
         if (set.unbounded() > 0) out << "\n  unbounded: " << set.unbounded();
         if (set.invalid() > 0) out << "\n  invalid: " << set.invalid();
     };
-    list("casters", scene.casters);
-    list("receivers", scene.receivers);
+    list("casters", scene.casters, scene.turnedCasters);
+    list("receivers", scene.receivers, scene.turnedReceivers);
     return out;
 }
 

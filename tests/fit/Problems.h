@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/BodyHull.h"
 #include "fit/FitState.h"
 #include "fit/PlaneOptimal.h"
 #include "fit/ShadowFit.h"
@@ -21,12 +22,35 @@ std::ostream& operator<<(std::ostream& out, FitReason reason);
 /// Shadow problems: built by hand for examples, drawn at random for properties.
 namespace Lixel::Test {
 
+/// A box that is turned about its middle, within the box that a set has of it.
+struct TurnedBox {
+    /// Of the set's box.
+    std::size_t index = 0;
+    /// Before it was turned.
+    Box box;
+    Mat3 turn = Mat3::Identity();
+    BodyHull hull;
+};
+
+/// Those of a set's bodies that are turned boxes, by ascending index.
+struct TurnedBoxes final : BodyShapes {
+    std::vector<TurnedBox> all;
+
+    const TurnedBox* find(std::size_t index) const;
+    const BodyHull* hullOf(std::size_t index, Eigen::Affine3d& wsFromBody) const noexcept override;
+};
+
+/// Adds a box that is turned to a set.
+void addTurned(const Box& box, const Mat3& turn, BoxSet& set, TurnedBoxes& turned);
+
 /// A shadow problem that owns its bodies.
 struct Scene {
     ShadowViewer viewer;
     ShadowLight light;
     BoxSet casters;
     BoxSet receivers;
+    TurnedBoxes turnedCasters;
+    TurnedBoxes turnedReceivers;
     int mapWidth = 1024;
     int mapHeight = 1024;
     double filterRadius = 1.0;
@@ -90,6 +114,9 @@ rc::Gen<std::uint64_t> anySeed();
     Shrinks by leaving out bodies.
 */
 rc::Gen<Scene> anyScene();
+
+/// The same, where in every other scene some of the bodies are turned, and say so.
+rc::Gen<Scene> anySceneOfHulls();
 
 /// A technique by its name, for tests that all techniques pass.
 struct Technique {
