@@ -30,7 +30,7 @@ const BoxSet& CasterSearch::find(const Survey& survey, const ShadowLight& light,
                                  double shadowDistance) {
     const BoxSet& receivers = survey.receivers();
     if (receivers.unbounded() > 0) return findAll(survey);
-    mCasters.clear();
+    clear(survey);
     ShadowViewer viewer = survey.viewer();
     viewer.shadowDistance = shadowDistance;
     if (!receivers.empty() && receivers.invalid() == 0 && CasterReach::isUsable(light) &&
@@ -41,9 +41,14 @@ const BoxSet& CasterSearch::find(const Survey& survey, const ShadowLight& light,
 }
 
 const BoxSet& CasterSearch::findAll(const Survey& survey) {
-    mCasters.clear();
+    clear(survey);
     collect(survey, CullVolume());
     return mCasters;
+}
+
+void CasterSearch::clear(const Survey& survey) {
+    mCasters.clear();
+    mShapes.reset(survey.meshes(), survey.wsOrigin());
 }
 
 void CasterSearch::collect(const Survey& survey, const CullVolume& volume) {
@@ -62,10 +67,13 @@ bool CasterSearch::add(const Survey& survey, const Ogre::MovableObject& object) 
     const Ogre::AxisAlignedBox& bounds = object.getWorldBoundingBox();
     if (bounds.isNull() || !survey.rules().draws(object) || !survey.rules().casts(object))
         return false;
-    if (bounds.isInfinite())
+    if (bounds.isInfinite()) {
         mCasters.addUnbounded();
-    else
-        mCasters.add(relativeBox(bounds, survey.wsOrigin()));
+        return true;
+    }
+    const std::size_t index = mCasters.size();
+    mCasters.add(relativeBox(bounds, survey.wsOrigin()));
+    if (mCasters.size() > index) mShapes.add(object);
     return true;
 }
 

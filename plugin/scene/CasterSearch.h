@@ -23,10 +23,14 @@ public:
     /// @return the casters, good until the next search
     const BoxSet& find(const Survey& survey, const ShadowLight& light, double shadowDistance);
 
+    /// Hulls of the casters found. They read the objects: good until one is moved or destroyed.
+    const BodyShapes& shapes() const { return mShapes; }
+
     /// All casters of the scene, whatever they may shadow.
     const BoxSet& findAll(const Survey& survey);
 
 private:
+    void clear(const Survey& survey);
     void collect(const Survey& survey, const CullVolume& volume);
     /// @return whether the object casts
     bool add(const Survey& survey, const Ogre::MovableObject& object);
@@ -34,6 +38,7 @@ private:
     bool searchWitness(const Survey& survey, Ogre::SceneNode& node);
 
     BoxSet mCasters;
+    ObjectShapes mShapes;
     CasterReach mReach;
     std::vector<Ogre::SceneNode*> mNodes;
     /// The way from the root node to a caster: which children to take, and which object in the end.

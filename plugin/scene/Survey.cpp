@@ -51,6 +51,7 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
     mViewer.viewFromWorld = Mat4::Identity();
     mViewer.viewFromWorld.topLeftCorner<3, 3>() = rotation;
     mViewer.clipFromView = toDouble(viewer.getProjectionMatrix());
+    mReceiverShapes.reset(mMeshes, mWsOrigin);
     ShadowViewer reach = mViewer;
     reach.shadowDistance = shadowDistance;
     mView = viewVolume(reach);
@@ -78,14 +79,17 @@ void Survey::visit(Ogre::MovableObject& object) {
     if (mView.classify(box) == ConvexVolume::Side::Outside || !mRules.receives(object)) return;
     const std::size_t index = mReceivers.size();
     mReceivers.add(box);
-    if (mReceivers.size() > index && needsSurface(box)) addSurface(object, index);
+    if (mReceivers.size() > index) {
+        mReceiverShapes.add(object);
+        if (needsSurface(box)) addSurface(object, index);
+    }
     mLower = mLower.cwiseMin(box.centre - box.halfExtents);
     mUpper = mUpper.cwiseMax(box.centre + box.halfExtents);
 }
 
 void Survey::addSurface(const Ogre::MovableObject& object, std::size_t receiver) {
     const auto* const entity = dynamic_cast<const Ogre::Entity*>(&object);
-    const SurfaceCloud* const cloud = entity != nullptr ? mClouds.of(*entity) : nullptr;
+    const SurfaceCloud* const cloud = entity != nullptr ? mMeshes.cloudOf(*entity) : nullptr;
     if (cloud == nullptr) return;
     KnownSurface surface{receiver, cloud,
                          Eigen::Affine3d(toDouble(entity->_getParentNodeFullTransform()))};

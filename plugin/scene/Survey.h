@@ -2,8 +2,8 @@
 
 #include "fit/ConvexVolume.h"
 #include "fit/ShadowProblem.h"
+#include "scene/MeshShapes.h"
 #include "scene/SceneRules.h"
-#include "scene/SurfaceClouds.h"
 
 #include <string>
 #include <vector>
@@ -36,7 +36,7 @@ namespace Lixel {
     batches moved by nodes) are last frame's.
 
     Nothing is kept from one survey to the next but memory, and the shapes of meshes
-    (SurfaceClouds.h).
+    (MeshShapes.h).
 */
 class LIXEL_API Survey {
 public:
@@ -50,6 +50,8 @@ public:
     /// The viewer's position in the world, which all boxes are relative to.
     const Vec3& wsOrigin() const { return mWsOrigin; }
     const BoxSet& receivers() const { return mReceivers; }
+    /// Their hulls. They read the objects: good until one is moved or destroyed.
+    const BodyShapes& receiverShapes() const { return mReceiverShapes; }
     /** Surfaces of those receivers whose boxes say too little: that the viewer stands in, or near.
         They point into the survey, and hold until its next one. */
     const std::vector<KnownSurface>& surfaces() const { return mSurfaces; }
@@ -61,6 +63,8 @@ public:
     std::size_t objectCount() const { return mObjectCount; }
     /// What made an object count. Good for as long as the viewer and its viewport are.
     const SceneRules& rules() const { return mRules; }
+    /// The shapes of the scene's meshes.
+    MeshShapes& meshes() const { return mMeshes; }
 
 private:
     void visit(Ogre::MovableObject& object);
@@ -70,7 +74,9 @@ private:
     ShadowViewer mViewer;
     Vec3 mWsOrigin = Vec3::Zero();
     BoxSet mReceivers;
-    SurfaceClouds mClouds;
+    ObjectShapes mReceiverShapes;
+    // The same for whoever looks at what was surveyed: memory, and nothing that can be seen.
+    mutable MeshShapes mMeshes;
     std::vector<KnownSurface> mSurfaces;
     Vec3 mLower = Vec3::Zero();
     Vec3 mUpper = Vec3::Zero();

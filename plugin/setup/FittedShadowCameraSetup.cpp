@@ -273,6 +273,10 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     problem.viewer.shadowDistance = shadowDistance;
     problem.light = describe(*light, *viewer, survey.wsOrigin());
     problem.receivers = &survey.receivers();
+    if (mMeshHulls) {
+        problem.receiverShapes = &survey.receiverShapes();
+        problem.casterShapes = &memory.search.shapes();
+    }
     problem.surfaces = survey.surfaces();
     problem.mapWidth = map.getActualWidth();
     problem.mapHeight = map.getActualHeight();

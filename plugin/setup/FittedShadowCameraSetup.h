@@ -69,6 +69,14 @@ public:
     void setVisiblePoints(const std::vector<VisiblePoint>& wsPoints);
     const std::vector<VisiblePoint>& getVisiblePoints() const { return mWsVisiblePoints; }
 
+    /** Whether maps are fitted to convex hulls of meshes, where these fill their boxes badly, such
+        as what is long and turned. Default true. Hulls are made of a mesh's vertices as they were
+        read: turn it off where a vertex program moves these beyond, in a mesh whose bounds do not
+        say so. Other bounds than the vertices', buffers that are not static, skeletons and vertex
+        animations are noticed without. */
+    void setMeshHulls(bool use) { mMeshHulls = use; }
+    bool getMeshHulls() const { return mMeshHulls; }
+
     void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
                          const Ogre::Viewport* viewport, const Ogre::Light* light,
                          Ogre::Camera* shadowCamera, std::size_t iteration) const final;
@@ -105,6 +113,7 @@ private:
     std::unique_ptr<Memory> mMemory;
     Ogre::Real mFilterRadius = 1;
     Ogre::Real mDepthBias = 0;
+    bool mMeshHulls = true;
     std::vector<VisiblePoint> mWsVisiblePoints;
 };
 
