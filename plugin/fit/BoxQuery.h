@@ -14,10 +14,9 @@ inline constexpr double TouchingSlack = 1e-12;
 
 /// Copies the boxes that may reach to the inner side of each plane, in their order; a box that
 /// touches a plane from outside, within that part of the set's extent, does so too.
-/// @param kept is emptied first
-/// @param indices of what is kept, in `boxes`; emptied first
-void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& kept,
-                  std::vector<std::size_t>& indices);
+/// @param scratch for what the first planes leave; kept is emptied first
+void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& scratch,
+                  BoxSet& kept);
 
 /// The lanes of a block, as bits, whose boxes lie wholly on the inner side of each plane.
 unsigned lanesInside(const BoxSet::Block& block, std::span<const Plane> planes);

@@ -30,9 +30,9 @@ constexpr std::array<ClipScratch::Edge, 12> BoxEdges = {{{{0, 1}, {2, 4}},
 void cutOff(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch& scratch) {
     std::vector<Vec3>& vertices = scratch.vertices;
     std::vector<ClipScratch::Edge>& edges = scratch.edges;
-    scratch.distances.clear();
-    for (const Vec3& vertex : vertices)
-        scratch.distances.push_back(plane.distance(vertex));
+    scratch.distances.resize(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        scratch.distances[i] = plane.distance(vertices[i]);
 
     scratch.cuts.clear();
     std::size_t kept = 0;
@@ -68,11 +68,11 @@ void cutOff(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch
 
 /// Appends the vertices that edges are left of.
 void appendVertices(ClipScratch& scratch, std::vector<Vec3>& points) {
-    scratch.used.assign(scratch.vertices.size(), false);
+    scratch.used.assign(scratch.vertices.size(), 0);
     for (const ClipScratch::Edge& edge : scratch.edges)
         for (const std::uint32_t vertex : edge.vertices) {
-            if (scratch.used[vertex]) continue;
-            scratch.used[vertex] = true;
+            if (scratch.used[vertex] != 0) continue;
+            scratch.used[vertex] = 1;
             points.push_back(scratch.vertices[vertex]);
         }
 }

@@ -70,7 +70,8 @@ struct ClipScratch {
     std::vector<double> distances;
     std::vector<Edge> edges;
     std::vector<Cut> cuts;
-    std::vector<bool> used;
+    /// Whether a vertex was appended, as numbers: bits are slower.
+    std::vector<std::uint8_t> used;
 };
 
 /** Appends the vertices of box ∩ volume to `points`.

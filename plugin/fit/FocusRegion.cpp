@@ -2,8 +2,10 @@
 
 #include "fit/BodyHull.h"
 #include "fit/BoxQuery.h"
+#include "fit/Lanes.h"
 #include "fit/LightVolume.h"
 #include "fit/ShadowParts.h"
+#include "fit/VectorClones.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,14 +21,14 @@ void include(Vec2& range, double least, double greatest) {
     range = {std::min(range.x(), least), std::max(range.y(), greatest)};
 }
 
-/** Calls `add` for the boxes of a set and their indices, but for those in `within(block)`, a set of
+/** Calls `add` for the boxes of a set and their origins, but for those in `within(block)`, a set of
     lanes as bits which may grow where `add` returns true. The largest comes first: it is the
     likeliest to spare the others. */
 template <typename Within, typename Add>
 void addAllBut(const BoxSet& boxes, const Within& within, const Add& add) {
     if (boxes.size() == 0) return;
     const std::size_t largest = largestBox(boxes);
-    add(boxes.box(largest), largest);
+    add(boxes.box(largest), boxes.origin(largest));
     std::size_t first = 0;
     for (const BoxSet::Block& block : boxes.blocks()) {
         const std::size_t count = std::min(boxes.size() - first, BoxSet::BlockSize);
@@ -36,7 +38,7 @@ void addAllBut(const BoxSet& boxes, const Within& within, const Add& add) {
         while (rest != 0) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
             rest &= rest - 1;
-            if (add(boxes.box(first + lane), first + lane) && rest != 0) rest &= ~within(block);
+            if (add(boxes.box(first + lane), boxes.origin(first + lane)) && rest != 0) rest &= ~within(block);
         }
         first += BoxSet::BlockSize;
     }
@@ -71,7 +73,7 @@ public:
     }
 
     void addAll(const BoxSet& receivers) {
-        keepReaching(receivers, mSeen.planes(), mScratch.receiversInView, mScratch.indices);
+        keepReaching(receivers, mSeen.planes(), mScratch.nearly, mScratch.receiversInView);
         addAllBut(
             mScratch.receiversInView,
             [this](const BoxSet::Block& block) { return lanesWithin(block); },
@@ -79,7 +81,7 @@ public:
                 const std::size_t revision = mScratch.receivers.revision();
                 const Vec2 lsRange = mLsRange;
                 const Vec2 vsRange = mVsRange;
-                add(box, mScratch.indices[index]);
+                add(box, index);
                 return revision != mScratch.receivers.revision() || lsRange != mLsRange ||
                        vsRange != mVsRange;
             });
@@ -153,6 +155,55 @@ private:
     Vec2 mVsRange = Vec2(Infinity, -Infinity);
 };
 
+/// Prepares the edges of a convex polygon, each with a slack for its vertices' coordinates.
+void prepareEdges(const Polygon2& polygon, double slack, std::vector<FourEdges>& edges) {
+    // Along much of the edge, and the same way: the other side of a flat hull limits it, and
+    // the direction of an edge as short as rounding says nothing.
+    constexpr double SharedPart = 1.0 / 1024.0;
+    edges.clear();
+    const std::size_t n = polygon.size();
+    for (std::size_t i = 0; i < n && n > 2; ++i) {
+        const std::size_t lane = i % 4;
+        // Nothing runs along the lanes beyond the last edge.
+        if (lane == 0) edges.emplace_back().shared.fill(Infinity);
+        FourEdges& four = edges.back();
+        const Vec2& from = polygon[i];
+        const Vec2 edge = polygon[i + 1 < n ? i + 1 : 0] - from;
+        four.fromX[lane] = from.x();
+        four.fromY[lane] = from.y();
+        four.edgeX[lane] = edge.x();
+        four.edgeY[lane] = edge.y();
+        four.shared[lane] = SharedPart * edge.squaredNorm();
+        four.slack[lane] = slack * edge.cwiseAbs().sum();
+    }
+}
+
+/// Whether the edge from a to b runs along one of those.
+LIXEL_VECTOR_CLONES
+bool runsAlong(std::span<const FourEdges> edges, const Vec2& a, const Vec2& b) {
+    const Vec2 own = b - a;
+    for (const FourEdges& four : edges) {
+        Four fromX;
+        Four fromY;
+        Four edgeX;
+        Four edgeY;
+        Four shared;
+        Four slack;
+        load(four.fromX.data(), fromX);
+        load(four.fromY.data(), fromY);
+        load(four.edgeX.data(), edgeX);
+        load(four.edgeY.data(), edgeY);
+        load(four.shared.data(), shared);
+        load(four.slack.data(), slack);
+        const Four offA = edgeX * (a.y() - fromY) - edgeY * (a.x() - fromX);
+        const Four offB = edgeX * (b.y() - fromY) - edgeY * (b.x() - fromX);
+        const FourMask along = (edgeX * own.x() + edgeY * own.y() > shared) & (offA <= slack) &
+                               (offA >= -slack) & (offB <= slack) & (offB >= -slack);
+        if (bitsOf(along) != 0) return true;
+    }
+    return false;
+}
+
 /// Collects what casters cover of the visible receivers, whose hull is in the scratch memory.
 class Casters {
 public:
@@ -167,6 +218,7 @@ public:
           mCoordinate(largestCoordinate(scratch.receivers.hull())) {
         scratch.casters.reset(image);
         mRevision = scratch.casters.revision();
+        prepareEdges(scratch.receivers.hull(), 2.0 * clipSlack(mCoordinate), scratch.receiverEdges);
     }
 
     void addAll(const BoxSet& casters) {
@@ -179,7 +231,7 @@ public:
             for (std::size_t i = begin; i < edges.size(); i += step)
                 planes.push_back(edges[i]);
         planes.push_back(mLsDepth.to(mLsReceiverFar));
-        keepReaching(casters, planes, mScratch.kept, mScratch.indices);
+        keepReaching(casters, planes, mScratch.nearly, mScratch.kept);
 
         planes.clear();
         addAllBut(
@@ -187,7 +239,7 @@ public:
             [this](const Box& box, std::size_t index) {
                 const std::size_t revision = mScratch.casters.revision();
                 const double lsNear = mLsNear;
-                add(box, mScratch.indices[index]);
+                add(box, index);
                 return revision != mScratch.casters.revision() || lsNear != mLsNear;
             });
     }
@@ -216,27 +268,13 @@ private:
 
     /// Leaves the edges along the receivers' hull out: nothing that is kept reaches beyond them.
     void findInnerEdges() {
-        const Polygon2& outer = mScratch.receivers.hull();
         const Polygon2& inner = mScratch.casters.hull();
         const std::span<const Plane> edges = mScratch.casters.edges();
-        const double slack = 2.0 * clipSlack(mCoordinate);
-        // Along much of the edge, and the same way: the other side of a flat hull limits it, and
-        // the direction of an edge as short as rounding says nothing.
-        constexpr double SharedPart = 1.0 / 1024.0;
         mScratch.planes.clear();
         for (std::size_t i = 0; i < inner.size(); ++i) {
-            const Vec2& a = inner[i];
-            const Vec2& b = inner[i + 1 < inner.size() ? i + 1 : 0];
-            bool along = false;
-            for (std::size_t k = 0; k < outer.size() && outer.size() > 2 && !along; ++k) {
-                const Vec2& from = outer[k];
-                const Vec2 edge = outer[k + 1 < outer.size() ? k + 1 : 0] - from;
-                const double most = slack * edge.cwiseAbs().sum();
-                along = edge.dot(b - a) > SharedPart * edge.squaredNorm() &&
-                        std::abs(cross(edge, a - from)) <= most &&
-                        std::abs(cross(edge, b - from)) <= most;
-            }
-            if (!along) mScratch.planes.push_back(edges[i]);
+            const Vec2& next = inner[i + 1 < inner.size() ? i + 1 : 0];
+            if (!runsAlong(mScratch.receiverEdges, inner[i], next))
+                mScratch.planes.push_back(edges[i]);
         }
     }
 

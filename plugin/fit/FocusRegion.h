@@ -5,6 +5,13 @@
 
 namespace Lixel {
 
+/// Four edges of the receivers' hull, prepared for the question which edges run along them.
+struct FourEdges {
+    std::array<double, 4> fromX, fromY, edgeX, edgeY;
+    /// What of an edge is much of it, times its length, and how far off it may be, times the same.
+    std::array<double, 4> shared, slack;
+};
+
 /// Scratch memory of focusing, kept between frames.
 struct FocusScratch {
     ClipScratch clip;
@@ -12,13 +19,14 @@ struct FocusScratch {
     /// into what covers them.
     BoxSet receiversInView;
     BoxSet kept;
-    /// Indices of either in the problem's set.
-    std::vector<std::size_t> indices;
+    /// What is left of either after the first questions.
+    BoxSet nearly;
     /// Half spaces that boxes are asked about.
     std::vector<Plane> planes;
     std::vector<Vec3> wsPoints;
     std::vector<Vec2> points;
     ImageHull receivers;
+    std::vector<FourEdges> receiverEdges;
     ImageHull casters;
     Polygon2 caster;
     Polygon2 polygon;

@@ -1,5 +1,8 @@
 #include "fit/ImageHull.h"
 
+#include "fit/Lanes.h"
+#include "fit/VectorClones.h"
+
 #include <algorithm>
 
 namespace Lixel {
@@ -15,6 +18,86 @@ constexpr double OnEdge = 0x1p-50;
 constexpr double FlatRatio = 0x1p-16;
 constexpr double FlatWidth = 0x1p20 * OnEdge;
 
+/// The edges of a polygon that a point lies beyond: one run of them, around the polygon.
+struct Beyond {
+    std::size_t count = 0;
+    /// The first of them; by rounding there may be more runs than one.
+    std::size_t begin = 0;
+    std::size_t runs = 0;
+    /// Twice the area between them and the point.
+    double twiceArea = 0.0;
+    /// Whether the edge before the next one is one of them.
+    bool last = false;
+
+    /// Goes on to the next edge.
+    void next(std::size_t edge, bool beyond, double side) {
+        if (beyond) {
+            ++count;
+            twiceArea -= side;
+            if (!last) {
+                begin = edge;
+                ++runs;
+            }
+        }
+        last = beyond;
+    }
+};
+
+/// Four vertices in turn; the second and the third change places, so that they are quick to load.
+struct FourVertices {
+    static constexpr std::array<int, 4> Lanes = {0, 2, 1, 3};
+    Four x;
+    Four y;
+};
+
+[[gnu::always_inline]] inline void loadVertices(const Vec2* first, FourVertices& result) {
+    Four low;
+    Four high;
+    load(first[0].data(), low);
+    load(first[2].data(), high);
+    result.x = __builtin_shufflevector(low, high, 0, 4, 2, 6);
+    result.y = __builtin_shufflevector(low, high, 1, 5, 3, 7);
+}
+
+/// Finds the edges that the point lies beyond.
+/// @param slack how far beyond an edge is still on it, by the edge's length in either coordinate
+LIXEL_VECTOR_CLONES
+void findBeyond(std::span<const Vec2> hull, const Vec2& point, double slack, Beyond& result) {
+    const std::size_t n = hull.size();
+    double sideOfOne = 0.0;
+    const auto isBeyond = [&](std::size_t edge) {
+        const Vec2& from = hull[edge];
+        const Vec2 along = hull[edge + 1 < n ? edge + 1 : 0] - from;
+        sideOfOne = cross(along, point - from);
+        return sideOfOne < -slack * (std::abs(along.x()) + std::abs(along.y()));
+    };
+    result.last = isBeyond(n - 1);
+    std::size_t i = 0;
+    for (; i + 4 < n; i += 4) {
+        FourVertices from;
+        FourVertices to;
+        loadVertices(&hull[i], from);
+        loadVertices(&hull[i + 1], to);
+        const Four edgeX = to.x - from.x;
+        const Four edgeY = to.y - from.y;
+        const Four side = edgeX * (point.y() - from.y) - edgeY * (point.x() - from.x);
+        const Four length = (edgeX < 0.0 ? -edgeX : edgeX) + (edgeY < 0.0 ? -edgeY : edgeY);
+        const unsigned beyond = bitsOf(side < -slack * length);
+        if (beyond == 0) {
+            result.last = false;
+            continue;
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int lane = FourVertices::Lanes[k];
+            result.next(i + k, (beyond >> lane & 1U) != 0, side[lane]);
+        }
+    }
+    for (; i < n; ++i) {
+        const bool beyond = isBeyond(i);
+        result.next(i, beyond, sideOfOne);
+    }
+}
+
 } // namespace
 
 void ImageHull::reset(const LightImage& image) {
@@ -29,9 +112,11 @@ Plane ImageHull::edgePlane(const Vec2& from, const Vec2& to) const {
     const Vec2 edge = to - from;
     // cross(edge, q - from) >= 0 for q = (x, y), or for q = (x, y) / -z with -z multiplied out.
     const double at = cross(edge, from);
-    const Vec3 ls(-edge.y(), edge.x(), mImage.directional() ? 0.0 : at);
-    const Vec3 ws = mImage.lsFromWs().transpose() * ls;
-    return {ws, -ws.dot(mImage.wsEye()) - (mImage.directional() ? at : 0.0)};
+    const Mat3& axes = mImage.lsFromWs();
+    const Vec3 across = edge.x() * axes.row(1) - edge.y() * axes.row(0);
+    if (mImage.directional()) return {across, -at};
+    const Vec3 normal = across + at * axes.row(2).transpose();
+    return {normal, -normal.dot(mImage.wsEye())};
 }
 
 void ImageHull::rebuild(const Vec2& point) {
@@ -65,40 +150,17 @@ void ImageHull::add(const Vec2& point) {
     // A flat hull is found by sorting, which never loses its ends.
     if (mFlat) return rebuild(point);
 
-    // The edges that the point lies beyond: one run of them, around the polygon.
-    std::size_t beyond = 0;
-    std::size_t runs = 0;
-    std::size_t begin = 0;
-    double gained = 0.0;
     const double coordinate = std::max(mCoordinate, point.cwiseAbs().maxCoeff());
-    const double slack = OnEdge * coordinate;
-    const auto lies = [&](const Vec2& a, const Vec2& b, double& side) {
-        const Vec2 edge = b - a;
-        side = cross(edge, point - a);
-        return side < -slack * (std::abs(edge.x()) + std::abs(edge.y()));
-    };
-    double side = 0.0;
-    bool last = lies(mHull[n - 1], mHull[0], side);
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool now = lies(mHull[i], mHull[i + 1 < n ? i + 1 : 0], side);
-        if (now) {
-            ++beyond;
-            gained -= side;
-            if (!last) {
-                begin = i;
-                ++runs;
-            }
-        }
-        last = now;
-    }
-    if (beyond == 0) return;
+    Beyond beyond;
+    findBeyond(mHull, point, OnEdge * coordinate, beyond);
+    if (beyond.count == 0) return;
     // Rounding, where the hull is next to nothing.
-    if (runs != 1) return rebuild(point);
+    if (beyond.runs != 1) return rebuild(point);
 
     // What remains runs from vertex `first` over `kept` vertices to where the run began.
     const auto vertex = [&](std::size_t i) -> const Vec2& { return mHull[i < n ? i : i - n]; };
-    std::size_t first = (begin + beyond) % n;
-    std::size_t kept = n + 1 - beyond;
+    std::size_t first = (beyond.begin + beyond.count) % n;
+    std::size_t kept = n + 1 - beyond.count;
     // Vertices on the line from the point to their neighbours are none.
     const auto turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
         return cross(b - a, c - b);
@@ -120,7 +182,7 @@ void ImageHull::add(const Vec2& point) {
 
     mCoordinate = coordinate;
     mSquaredLength = std::max(mSquaredLength, (point - mOrigin).squaredNorm());
-    mTwiceArea += gained;
+    mTwiceArea += beyond.twiceArea;
     findFlatness();
 }
 

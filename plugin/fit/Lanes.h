@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <cstring>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 /** Four numbers that are worked on at once: a register of AVX2, or two of SSE2.
 
     Vectors of GCC, as it does not find them in loops over short arrays. Everything here is inlined
@@ -37,12 +41,20 @@ using FourVectors = std::array<Four, 3>;
     result = a > b ? a : b;
 }
 
-/// The lanes of a mask as bits.
+/// The lanes of a mask, or the signs of any lanes, as bits.
 [[gnu::always_inline]] inline unsigned bitsOf(const FourMask& mask) {
+#ifdef __SSE2__
+    // What every x86-64 has an instruction for takes GCC a dozen of them.
+    const auto low = __builtin_shufflevector(mask, mask, 0, 1);
+    const auto high = __builtin_shufflevector(mask, mask, 2, 3);
+    return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(low)) |
+                                 _mm_movemask_pd(reinterpret_cast<__m128d>(high)) << 2);
+#else
     FourBits bits;
     std::memcpy(&bits, &mask, sizeof(bits));
     bits >>= 63;
     return static_cast<unsigned>(bits[0] | (bits[1] << 1) | (bits[2] << 2) | (bits[3] << 3));
+#endif
 }
 
 } // namespace Lixel

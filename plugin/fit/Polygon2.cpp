@@ -1,5 +1,8 @@
 #include "fit/Polygon2.h"
 
+#include "fit/Lanes.h"
+#include "fit/VectorClones.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -32,13 +35,59 @@ OrientedRectangle boundsAlong(std::span<const Vec2> polygon, const Vec2& axis) {
     return r;
 }
 
+/// Four unit vectors, and a polygon's bounds along each and its left-hand normal.
+struct FourAxes {
+    std::array<double, 4> x{}, y{};
+    std::array<double, 4> leastAlong, leastAcross, mostAlong, mostAcross;
+
+    OrientedRectangle bounds(std::size_t lane) const {
+        return {.min = {leastAlong[lane], leastAcross[lane]},
+                .max = {mostAlong[lane], mostAcross[lane]}};
+    }
+};
+
+LIXEL_VECTOR_CLONES
+void findBounds(std::span<const Vec2> polygon, FourAxes& axes) {
+    Four x;
+    Four y;
+    load(axes.x.data(), x);
+    load(axes.y.data(), y);
+    Four leastAlong = Four{} + Infinity;
+    Four leastAcross = leastAlong;
+    Four mostAlong = -leastAlong;
+    Four mostAcross = -leastAlong;
+    for (const Vec2& q : polygon) {
+        const Four along = x * q.x() + y * q.y();
+        const Four across = x * q.y() - y * q.x();
+        lesser(along, leastAlong, leastAlong);
+        lesser(across, leastAcross, leastAcross);
+        greater(along, mostAlong, mostAlong);
+        greater(across, mostAcross, mostAcross);
+    }
+    store(leastAlong, axes.leastAlong.data());
+    store(leastAcross, axes.leastAcross.data());
+    store(mostAlong, axes.mostAlong.data());
+    store(mostAcross, axes.mostAcross.data());
+}
+
+/// The direction of an edge, turned by right angles to where both coordinates are positive, the
+/// first not zero; zero for an edge of length zero.
+Vec2 axisAlong(const Vec2& edge) {
+    const double length = edge.norm();
+    if (length == 0.0) return Vec2::Zero();
+    Vec2 axis = edge / length;
+    if (axis.x() < 0.0 || (axis.x() == 0.0 && axis.y() < 0.0)) axis = -axis;
+    if (axis.y() < 0.0 || axis.x() == 0.0) axis = Vec2(std::abs(axis.y()), axis.x());
+    return axis;
+}
+
 /// Drops vertices that lie on the line through their neighbours, within rounding, or left of it.
 void dropFlatVertices(Polygon2& polygon) {
     const double rounding = 64.0 * std::numeric_limits<double>::epsilon();
     for (std::size_t i = 0; i < polygon.size() && polygon.size() > 3;) {
         const std::size_t n = polygon.size();
-        const Vec2 in = polygon[i] - polygon[(i + n - 1) % n];
-        const Vec2 out = polygon[(i + 1) % n] - polygon[i];
+        const Vec2 in = polygon[i] - polygon[(i > 0 ? i : n) - 1];
+        const Vec2 out = polygon[i + 1 < n ? i + 1 : 0] - polygon[i];
         // The vertex' distance from the line, times the line's length, against rounding of both.
         if (cross(in, out) <= rounding * (in + out).norm() * polygon[i].norm())
             polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
@@ -216,12 +265,15 @@ void simplifyOutward(Polygon2& polygon, std::size_t maxVertices) {
         double leastArea = Infinity;
         std::size_t drop = n;
         Vec2 corner = Vec2::Zero();
+        const auto vertex = [&](std::size_t i) -> const Vec2& {
+            return polygon[i < n ? i : i - n];
+        };
         for (std::size_t i = 0; i < n; ++i) {
             // Drop the edge from b to c: its neighbours a-b and d-c are extended until they meet.
-            const Vec2& a = polygon[(i + n - 1) % n];
+            const Vec2& a = vertex(i + n - 1);
             const Vec2& b = polygon[i];
-            const Vec2& c = polygon[(i + 1) % n];
-            const Vec2& d = polygon[(i + 2) % n];
+            const Vec2& c = vertex(i + 1);
+            const Vec2& d = vertex(i + 2);
             const double turn = cross(b - a, c - d);
             if (!(turn < 0.0)) continue; // the neighbours turn by π or more: they never meet
             const double t = cross(c - b, c - d) / turn;
@@ -252,19 +304,26 @@ OrientedRectangle smallestRectangle(std::span<const Vec2> polygon) {
     double leastArea = Infinity;
     double leastPerimeter = Infinity;
     Vec2 bestAxis = Vec2::UnitX();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 edge = polygon[i + 1 < n ? i + 1 : 0] - polygon[i];
-        const double length = edge.norm();
-        if (length == 0.0) continue;
-        // Turned by right angles to where both coordinates are positive, the first not zero.
-        Vec2 axis = edge / length;
-        if (axis.x() < 0.0 || (axis.x() == 0.0 && axis.y() < 0.0)) axis = -axis;
-        if (axis.y() < 0.0 || axis.x() == 0.0) axis = Vec2(std::abs(axis.y()), axis.x());
-        const OrientedRectangle r = boundsAlong(polygon, axis);
-        const double area = r.area();
-        const double perimeter = (r.max - r.min).sum();
-        // A polygon without area makes many rectangles of area 0: the shortest is the one wanted.
-        if (area < leastArea || (area == leastArea && perimeter < leastPerimeter)) {
+    for (std::size_t i = 0; i < n; i += 4) {
+        FourAxes axes;
+        const std::size_t count = std::min<std::size_t>(n - i, 4);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const std::size_t next = i + lane + 1;
+            const Vec2 axis = axisAlong(polygon[next < n ? next : 0] - polygon[i + lane]);
+            axes.x[lane] = axis.x();
+            axes.y[lane] = axis.y();
+        }
+        findBounds(polygon, axes);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const Vec2 axis(axes.x[lane], axes.y[lane]);
+            const OrientedRectangle r = axes.bounds(lane);
+            const double area = r.area();
+            const double perimeter = (r.max - r.min).sum();
+            // A polygon without area makes many rectangles of area 0: the shortest is the one
+            // wanted.
+            const bool better =
+                area < leastArea || (area == leastArea && perimeter < leastPerimeter);
+            if (!better || axis.isZero(0.0)) continue;
             leastArea = area;
             leastPerimeter = perimeter;
             best = r;

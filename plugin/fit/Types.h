@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <ranges>
 #include <span>
 #include <vector>
@@ -48,6 +50,8 @@ public:
         using Lanes = std::array<double, BlockSize>;
         std::array<Lanes, 3> centre;
         std::array<Lanes, 3> halfExtents;
+        /// Of each lane's box, its index in the set that it was first added to.
+        std::array<std::uint32_t, BlockSize> origin;
     };
 
     void clear() {
@@ -68,16 +72,19 @@ public:
             store(box);
         }
     }
-    /// Adds a box of a set, which has been judged there.
-    void copy(const BoxSet& from, std::size_t index) {
-        const Block& source = from.mBlocks[index / BlockSize];
-        const std::size_t sourceLane = index % BlockSize;
+    /// Adds boxes of a set, which have been judged there: those of a block in these lanes, as bits.
+    void copy(const BoxSet& from, std::size_t block, unsigned lanes) {
+        const Block& source = from.mBlocks[block];
         mExtent = std::max(mExtent, from.mExtent);
-        const std::size_t lane = nextLane();
-        Block& block = mBlocks.back();
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            block.centre[axis][lane] = source.centre[axis][sourceLane];
-            block.halfExtents[axis][lane] = source.halfExtents[axis][sourceLane];
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto sourceLane = static_cast<std::size_t>(std::countr_zero(lanes));
+            const std::size_t lane = nextLane();
+            Block& target = mBlocks.back();
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                target.centre[axis][lane] = source.centre[axis][sourceLane];
+                target.halfExtents[axis][lane] = source.halfExtents[axis][sourceLane];
+            }
+            target.origin[lane] = source.origin[sourceLane];
         }
     }
     /// Counts a body that has no bounds: it may be anywhere.
@@ -95,6 +102,11 @@ public:
             {block.centre[0][lane], block.centre[1][lane], block.centre[2][lane]},
             {block.halfExtents[0][lane], block.halfExtents[1][lane], block.halfExtents[2][lane]}};
     }
+    /// The index of that box in the set that it was copied from, or that one was, and so on; its
+    /// own where it was not.
+    std::size_t origin(std::size_t index) const {
+        return mBlocks[index / BlockSize].origin[index % BlockSize];
+    }
     /// All boxes in turn, by value.
     auto boxes() const {
         return std::views::iota(std::size_t{0}, mSize) |
@@ -102,6 +114,10 @@ public:
     }
     /// The same in blocks; the last one's lanes from size() on are not boxes.
     std::span<const Block> blocks() const { return mBlocks; }
+    /// The lanes of that block which are boxes, as bits.
+    unsigned lanes(std::size_t block) const {
+        return (1U << std::min(mSize - block * BlockSize, BlockSize)) - 1;
+    }
 
     std::size_t unbounded() const { return mUnbounded; }
     std::size_t invalid() const { return mInvalid; }
@@ -121,6 +137,7 @@ private:
             block.centre[axis][lane] = box.centre[static_cast<Eigen::Index>(axis)];
             block.halfExtents[axis][lane] = box.halfExtents[static_cast<Eigen::Index>(axis)];
         }
+        block.origin[lane] = static_cast<std::uint32_t>(mSize - 1);
     }
 
     std::vector<Block> mBlocks;

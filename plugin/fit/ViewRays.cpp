@@ -289,16 +289,18 @@ void ViewRays::meet(const Surfel& disc) {
 
 VisiblePoint ViewRays::point(std::size_t ray) const {
     const Rays& rays = mRays[0];
+    const auto at = [ray](const Columns3& columns) {
+        return Vec3(columns[0][ray], columns[1][ray], columns[2][ray]);
+    };
     VisiblePoint point;
-    const auto face = static_cast<std::size_t>(rays.axis[ray]);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
-        const double direction = rays.direction[axis][ray];
-        point.ws[i] = rays.origin[axis][ray] + rays.nearest[ray] * direction;
-        if (rays.axis[ray] == Disc)
-            point.wsNormal[i] = rays.normal[axis][ray];
-        else
-            point.wsNormal[i] = axis != face ? 0.0 : direction > 0.0 ? -1.0 : 1.0;
+    point.ws = at(rays.origin) + rays.nearest[ray] * at(rays.direction);
+    if (rays.axis[ray] == Disc) {
+        point.wsNormal = at(rays.normal);
+    } else {
+        const auto axis = static_cast<std::size_t>(rays.axis[ray]);
+        point.wsNormal.setZero();
+        point.wsNormal[static_cast<Eigen::Index>(axis)] =
+            rays.direction[axis][ray] > 0.0 ? -1.0 : 1.0;
     }
     return point;
 }

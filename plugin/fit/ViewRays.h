@@ -55,6 +55,15 @@ public:
     /// Where a ray goes through the picture, in device coordinates.
     Vec2 ndc(std::size_t ray) const { return {mRays[0].ndc[0][ray], mRays[0].ndc[1][ray]}; }
     bool hit(std::size_t ray) const { return std::isfinite(mRays[0].nearest[ray]); }
+    /// The cosine between a unit vector and the normal of what a ray that hit something met first.
+    double facing(std::size_t ray, const Vec3& towards) const {
+        const Rays& rays = mRays[0];
+        if (rays.axis[ray] == Disc)
+            return towards.dot(Vec3(rays.normal[0][ray], rays.normal[1][ray], rays.normal[2][ray]));
+        const auto axis = static_cast<std::size_t>(rays.axis[ray]);
+        const double along = towards[static_cast<Eigen::Index>(axis)];
+        return rays.direction[axis][ray] > 0.0 ? -along : along;
+    }
     /// What a ray that hit something met first.
     VisiblePoint point(std::size_t ray) const;
 

@@ -188,13 +188,6 @@ public:
     bool complete() const { return mSamples.size() >= mMost; }
 
     void add(const VisiblePoint& point) {
-        // Many points face away from a directional light: they need not be judged further.
-        const std::array<double, 4>& light = mJudgement.lsFromWs[2];
-        if (mJudgement.directional &&
-            !(light[0] * point.wsNormal.x() + light[1] * point.wsNormal.y() +
-                  light[2] * point.wsNormal.z() >=
-              LeastFacing))
-            return;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             mPoints.ws[axis][mCount] = point.ws[static_cast<Eigen::Index>(axis)];
             mPoints.wsNormal[axis][mCount] = point.wsNormal[static_cast<Eigen::Index>(axis)];
@@ -283,8 +276,12 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Pol
         });
     } else {
         traceReceivers(problem, image, receiversInView, rays);
+        const Vec3 towards = image.lsFromWs().row(2);
         visitSpread(ViewRays::Count, [&](std::size_t i) {
-            if (rays.hit(i)) collector.add(rays.point(i));
+            // Many points face away from a directional light: they need not be found.
+            if (!rays.hit(i) || (image.directional() && rays.facing(i, towards) < LeastFacing))
+                return true;
+            collector.add(rays.point(i));
             return !collector.complete();
         });
     }

@@ -1,6 +1,7 @@
 #include "fit/Warp.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace Lixel {
 
@@ -8,7 +9,14 @@ WarpExtent warpExtent(const Polygon2& hull, const Vec2& centre, const Vec2& warp
                       double thickness) {
     const double at = warp.dot(centre);
     const double rim = warp.norm() * thickness;
-    return {support(hull, -warp) + at + rim, support(hull, warp) - at + rim};
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -least;
+    for (const Vec2& vertex : hull) {
+        const double along = warp.dot(vertex);
+        least = std::min(least, along);
+        greatest = std::max(greatest, along);
+    }
+    return {at - least + rim, greatest - at + rim};
 }
 
 double pullIntoSafeSet(const Polygon2& hull, const Vec2& centre, double thickness, Vec2& warp,
