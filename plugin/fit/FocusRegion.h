@@ -2,15 +2,9 @@
 
 #include "fit/ImageHull.h"
 #include "fit/ShadowFit.h"
+#include "fit/SharedEdges.h"
 
 namespace Lixel {
-
-/// Four edges of the receivers' hull, prepared for the question which edges run along them.
-struct FourEdges {
-    std::array<double, 4> fromX, fromY, edgeX, edgeY;
-    /// What of an edge is much of it, times its length, and how far off it may be, times the same.
-    std::array<double, 4> shared, slack;
-};
 
 /// Scratch memory of focusing, kept between frames.
 struct FocusScratch {
