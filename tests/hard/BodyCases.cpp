@@ -156,6 +156,28 @@ std::vector<HardCase> bodyCases() {
         s.addBox({4, 1, -3}, {-2, -2, -2});
         s.addBox({-4, 1, -3}, {2, 2, -2})->pitch(Ogre::Degree(30));
     });
+    // Their boxes hold much that they do not.
+    add("planks aslant", [](HardScene& s) {
+        s.addGround();
+        for (int i = 0; i < 5; ++i) {
+            Ogre::SceneNode* const plank =
+                s.addBox({3.0f * static_cast<float>(i) - 6.0f, 2, -4.0f * static_cast<float>(i)},
+                         {6, 0.3f, 0.5f});
+            plank->yaw(Ogre::Degree(20.0f + 25.0f * static_cast<float>(i)));
+            plank->roll(Ogre::Degree(15.0f * static_cast<float>(i)));
+        }
+    });
+    add("a plank aslant, mirrored", [](HardScene& s) {
+        s.addGround();
+        s.addBox({0, 3, -2}, {-8, 0.2f, 0.2f})
+            ->setOrientation(
+                Ogre::Quaternion(Ogre::Degree(50), Ogre::Vector3(1, 2, 3).normalisedCopy()));
+    });
+    add("a wall aslant", [](HardScene& s) {
+        s.addGround();
+        s.addBox({0, 1, -12}, {12, 4, 0.2f})->yaw(Ogre::Degree(40));
+        s.addBox({1, 2, -6}, {1, 1, 1});
+    });
     add("map of 32 texels", [](HardScene& s) {
         s.mapWidth = s.mapHeight = 32;
         s.addField();

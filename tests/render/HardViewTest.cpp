@@ -2,6 +2,8 @@
 
 #include "TestStage.h"
 
+#include <Lixel/setup/FittedShadowCameraSetup.h>
+
 #include <fmt/core.h>
 
 namespace Lixel::Tests {
@@ -74,6 +76,24 @@ TEST_P(HardView, CasterFarBehindTheViewer) {
     EXPECT_GT(error.shadowed, 500U);
     EXPECT_LT(error.error, 0.5);
     EXPECT_LT(scene.visibilityAt(Ogre::Vector3::ZERO), 128);
+}
+
+/// A plank aslant: a map of its box would be mostly empty.
+TEST_P(HardView, PlankAslant) {
+    BoxOnGround scene(GetParam());
+    scene.box->setVisible(false);
+    scene.addCube(Ogre::Vector3(0, 2, 0), Ogre::Vector3(12, 0.2F, 0.2F))
+        ->setOrientation(Ogre::Quaternion(Ogre::Degree(40), Ogre::Vector3::UNIT_Y));
+    const auto setup = std::dynamic_pointer_cast<FittedShadowCameraSetup>(
+        scene.stage.light().getCustomShadowCameraSetup());
+    ASSERT_NE(setup, nullptr);
+    const Samples::ClassificationError hull = scene.nextFrameError();
+    setup->setMeshHulls(false);
+    const Samples::ClassificationError box = scene.nextFrameError();
+    fmt::print("with hulls {:.3f} %, with boxes {:.3f} %, {} shadowed pixels\n", hull.error,
+               box.error, hull.shadowed);
+    EXPECT_GT(hull.shadowed, 50U);
+    EXPECT_LT(hull.error, 0.5 * box.error);
 }
 
 /// The whole scene a million units away, with camera-relative rendering.

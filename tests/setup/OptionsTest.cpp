@@ -54,6 +54,13 @@ TEST(Options, DepthBias) {
                   std::string::npos);
 }
 
+TEST(Options, MeshHulls) {
+    UniformShadowCameraSetup setup;
+    EXPECT_TRUE(setup.getMeshHulls());
+    setup.setMeshHulls(false);
+    EXPECT_FALSE(setup.getMeshHulls());
+}
+
 TEST(Options, VisiblePoints) {
     OptimalShadowCameraSetup setup;
     EXPECT_TRUE(setup.getVisiblePoints().empty());
