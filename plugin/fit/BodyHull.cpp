@@ -1,16 +1,23 @@
 #include "fit/BodyHull.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Lixel {
 namespace {
 
-/// By how much faces are moved out, relative to the body's size: some thousand units in the last
-/// place, so that no vertex is outside for rounding.
-constexpr double OutwardSlack = 0x1p-40;
+/// Vertices nearer to each other than this part of the body's size are one, but for rounding: cuts
+/// through one vertex leave several of them.
+constexpr double SameVertex = 0x1p-42;
+
+/// By how much the hull is larger in the end, so that nothing is outside for rounding.
+constexpr double Outward = 0x1p-36;
+
+/// Least that a face cuts off, relative to the body's size: less is not worth its vertices.
+constexpr double LeastBevel = 1.0 / 64.0;
 
 /// The half spaces around the points whose normals run towards a box's edges and corners.
-ConvexVolume bevels(std::span<const Vec3> positions, double slack) {
+ConvexVolume bevels(std::span<const Vec3> positions, const Box& box) {
     ConvexVolume volume;
     for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
@@ -20,7 +27,10 @@ ConvexVolume bevels(std::span<const Vec3> positions, double slack) {
                 double farthest = outward.dot(positions[0]);
                 for (const Vec3& position : positions)
                     farthest = std::max(farthest, outward.dot(position));
-                volume.add(-outward, farthest + slack);
+                const double reach =
+                    outward.dot(box.centre) + outward.cwiseAbs().dot(box.halfExtents);
+                if (reach - farthest > LeastBevel * box.halfExtents.maxCoeff())
+                    volume.add(-outward, farthest);
             }
     return volume;
 }
@@ -64,28 +74,32 @@ BodyHull makeBodyHull(std::span<const Vec3> positions) {
         lower = lower.cwiseMin(position);
         upper = upper.cwiseMax(position);
     }
-    const double slack = OutwardSlack * (upper.cwiseAbs() + lower.cwiseAbs()).maxCoeff();
-    const Box box{(lower + upper) / 2.0, (upper - lower) / 2.0 + Vec3::Constant(slack)};
+    const Box box{(lower + upper) / 2.0, (upper - lower) / 2.0};
     ClipScratch scratch;
     std::vector<Vec3> all;
-    clipBox(box, bevels(positions, slack), scratch, all);
+    clipBox(box, bevels(positions, box), scratch, all);
 
     // The edges that are left, and their vertices.
-    std::vector<std::uint32_t> index(scratch.vertices.size());
+    const double same = SameVertex * (upper.cwiseAbs() + lower.cwiseAbs()).maxCoeff();
+    const auto indexOf = [&](const Vec3& vertex) {
+        std::size_t i = 0;
+        while (i < hull.vertices.size() && !((hull.vertices[i] - vertex).norm() <= same))
+            ++i;
+        if (i == hull.vertices.size()) hull.vertices.push_back(vertex);
+        return static_cast<std::uint32_t>(i);
+    };
     for (const ClipScratch::Edge& edge : scratch.edges) {
         ClipScratch::Edge own = edge;
-        for (std::uint32_t& vertex : own.vertices) {
-            std::uint32_t& at = index[vertex];
-            if (at == 0) {
-                hull.vertices.push_back(scratch.vertices[vertex]);
-                at = static_cast<std::uint32_t>(hull.vertices.size());
-            }
-            vertex = at - 1;
-        }
+        for (std::uint32_t& vertex : own.vertices)
+            vertex = indexOf(scratch.vertices[vertex]);
+        // A body that is but a point keeps one, or it would be none.
+        if (own.vertices[0] == own.vertices[1] && !hull.edges.empty()) continue;
         for (const std::uint32_t face : own.faces)
             hull.faces = std::max(hull.faces, face + 1);
         hull.edges.push_back(own);
     }
+    for (Vec3& vertex : hull.vertices)
+        vertex += Outward * (vertex - box.centre);
     hull.volume = volumeOf(hull);
     return hull;
 }

@@ -13,8 +13,8 @@ namespace Lixel {
     The box of a body that is turned, or that runs aslant, holds much that the body does not; so
     does a map that is fitted to it. This is the polytope of 26 faces, whose normals have the
     components -1, 0 and 1: 6 as a box has, one for each of its edges, and one for each of its
-    corners (Klosowski et al. 1998, "Efficient Collision Detection Using Bounding Volume
-    Hierarchies of k-DOPs", §3).
+    corners, where they cut something off (Klosowski et al. 1998, "Efficient Collision Detection
+   Using Bounding Volume Hierarchies of k-DOPs", §3).
 */
 struct BodyHull {
     std::vector<Vec3> vertices;

@@ -39,6 +39,7 @@ struct PlacedHull {
 
     PlacedHull(const BodyShapes* shapes, std::size_t index) {
         if (shapes != nullptr) hull = shapes->hullOf(index, wsFromBody);
+        if (hull != nullptr && !wsFromBody.matrix().allFinite()) hull = nullptr;
     }
 };
 

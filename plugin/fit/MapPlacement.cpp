@@ -25,6 +25,12 @@ constexpr double SameArea = 1e-12;
 /// of 4096: thinner regions are rounding (a caster seen edge-on, a flat receiver).
 constexpr double LeastAspect = 1.0 / 4096.0;
 
+/// A rectangle's x axis, as a direction in the world.
+Vec3 wsAxisOf(const OrientedRectangle& rectangle, const LightImage& image) {
+    return image.lsFromWs().transpose() *
+           Vec3(std::cos(rectangle.angle), std::sin(rectangle.angle), 0.0);
+}
+
 /// Chooses the map's axes around the warped region: the smallest rectangle, unless the last
 /// frame's orientation is nearly as good.
 OrientedRectangle chooseRectangle(const Polygon2& warped, const OrientedRectangle& smallest,
@@ -45,8 +51,7 @@ OrientedRectangle chooseRectangle(const Polygon2& warped, const OrientedRectangl
             result.turned = true;
         }
     }
-    result.wsMapAxis = image.lsFromWs().transpose() *
-                       Vec3(std::cos(smallest.angle), std::sin(smallest.angle), 0.0);
+    result.wsMapAxis = wsAxisOf(smallest, image);
     return smallest;
 }
 
@@ -110,15 +115,24 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre) {
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
                    const Vec2& warp, double liReach, const FitState& state) {
     Affine result{};
+    const Vec2 size(problem.mapWidth, problem.mapHeight);
+    const auto place = [&](OrientedRectangle& rectangle) {
+        widen(rectangle, size, liReach);
+        return roundingTexels(warped, warp, liReach, rectangle, size);
+    };
     OrientedRectangle smallest = smallestRectangle(warped);
     OrientedRectangle rectangle = chooseRectangle(warped, smallest, image, state.wsMapAxis, result);
-    const Vec2 size(problem.mapWidth, problem.mapHeight);
-    widen(smallest, size, liReach);
-    widen(rectangle, size, liReach);
-    result.rounding = roundingTexels(warped, warp, liReach, smallest, size).maxCoeff();
-    const Vec2 rounding = roundingTexels(warped, warp, liReach, rectangle, size);
-    result.border =
-        rounding.cwiseMin(GreatestBorderRounding).array() + leastBorder(problem.filterRadius);
+    const Vec2 leastRounding = place(smallest);
+    Vec2 rounding = place(rectangle);
+    // Along other axes a narrow side may have finer texels than the border makes up for.
+    if (rounding.maxCoeff() > GreatestBorderRounding) {
+        result.turned = true;
+        result.wsMapAxis = wsAxisOf(smallest, image);
+        rectangle = smallest;
+        rounding = leastRounding;
+    }
+    result.rounding = leastRounding.maxCoeff();
+    result.border = rounding.array() + leastBorder(problem.filterRadius);
     result.mapAngle = rectangle.angle;
     // The rectangle's sides, without the border, become -1 and 1.
     const std::array<Vec2, 2> axes = axesOf(rectangle);

@@ -17,7 +17,8 @@ inline constexpr double LeastTexel = 0x1p-19;
 /// warp makes texels finer than that, rounding would show, and nobody could see them.
 inline constexpr double GreatestRounding = 1.0;
 
-/// The same in a map whose axes are those of the last frame, which a warp does not depend on.
+/// The same in a map whose axes are those of the last frame, which a warp does not depend on:
+/// beyond it they are given up.
 inline constexpr double GreatestBorderRounding = 2.0 * GreatestRounding;
 
 /// Texels to keep free on each side of a map, with nothing added for the rounding of positions.
@@ -32,7 +33,7 @@ struct Affine {
     double rounding = 0.0;
     /// The map's x axis, as a direction in the world, for the next frame.
     std::optional<Vec3> wsMapAxis;
-    /// Whether the last frame's axis was given up for a smaller map.
+    /// Whether the last frame's axis was given up.
     bool turned = false;
 };
 

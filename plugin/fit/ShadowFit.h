@@ -12,7 +12,8 @@ enum class FitReason {
     None,
     /// The view runs along the light: the warp has faded to a uniform map, which is the best there.
     LightAlongView,
-    /// The technique's warp was pulled into the safe set of the focus region.
+    /// The technique's warp was pulled into the safe set of the focus region, or to where texels
+    /// are no finer than what float positions tell apart.
     WarpClamped,
     /// A body without bounds: the map is focused on everything the viewer sees.
     UnboundedBody,
@@ -32,7 +33,8 @@ enum class FitReason {
     NothingShadowed,
     /// A receiver without bounds, seen by a viewer without a far plane or shadow distance.
     Unbounded,
-    /// A NaN, an infinity, a zero direction or a singular matrix among the input.
+    /// A NaN, an infinity, a zero direction or a singular matrix among the input, or a map that its
+    /// filter leaves no room in.
     InvalidInput,
     /// A point light or a wide spot, which takes more maps than it has.
     TooFewMaps,

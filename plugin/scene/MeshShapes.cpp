@@ -4,29 +4,29 @@
 #include "scene/OgreMath.h"
 
 #include <OgreEntity.h>
-#include <OgreException.h>
 #include <OgreMesh.h>
 #include <OgreMeshManager.h>
+#include <OgrePass.h>
+#include <OgreSubEntity.h>
 #include <OgreSubMesh.h>
+#include <OgreTechnique.h>
 
 #include <algorithm>
 
 namespace Lixel {
 namespace {
 
-/// A box of so many times the hull's volume costs more than the hull's additional vertices.
-constexpr double LooseBox = 2.0;
+/// A box of so many times the hull's volume is as good: the padding of a mesh's bounds alone makes
+/// 1.06 of it. When a body turns, this is also what its map may change by at once.
+constexpr double LooseBox = 1.1;
 
 /// Bounds beyond those of the vertices, relative to the longest side, that are rounding: in files
 /// they are kept as floats, or as decimals.
 constexpr double BoundsRounding = 1e-3;
 
-struct Geometry {
-    std::vector<Vec3> positions;
-    std::vector<TriangleCorners> triangles;
-    /// Whether no buffer of it is meant to be rewritten.
-    bool fixed = true;
-};
+/// Vertex programs of which it is known that they do nothing but transform.
+const Ogre::String OwnPrograms = "Lixel/";
+const Ogre::String ShaderGenerator = "ShaderGeneratorDefaultScheme";
 
 bool isFixed(const Ogre::VertexData& data) {
     const Ogre::VertexElement* const element =
@@ -36,27 +36,83 @@ bool isFixed(const Ogre::VertexData& data) {
     return (buffer->getUsage() & Ogre::HardwareBuffer::HBU_DYNAMIC) == 0;
 }
 
-/// All triangles of a mesh, in its own space.
-Geometry read(Ogre::Mesh& mesh) {
-    Geometry geometry;
+/// Calls `visit` with each part of a mesh that has vertices.
+template <typename Visit>
+void forParts(const Ogre::Mesh& mesh, const Visit& visit) {
     for (Ogre::SubMesh* part : mesh.getSubMeshes()) {
         Ogre::RenderOperation operation;
         part->_getRenderOperation(operation);
-        if (operation.vertexData == nullptr || operation.vertexData->vertexCount == 0) continue;
-        geometry.fixed = geometry.fixed && isFixed(*operation.vertexData);
-        const auto first = static_cast<std::uint32_t>(geometry.positions.size());
+        if (operation.vertexData != nullptr && operation.vertexData->vertexCount > 0)
+            visit(operation);
+    }
+}
+
+SurfaceCloud readCloud(const Ogre::Mesh& mesh) {
+    std::vector<Vec3> positions;
+    std::vector<TriangleCorners> triangles;
+    forParts(mesh, [&](const Ogre::RenderOperation& operation) {
+        const auto first = static_cast<std::uint32_t>(positions.size());
         const std::vector<Vec3> own = readPositions(*operation.vertexData);
-        geometry.positions.insert(geometry.positions.end(), own.begin(), own.end());
+        positions.insert(positions.end(), own.begin(), own.end());
         for (TriangleCorners triangle : readTriangles(operation)) {
             // An index beyond the vertices must not become another part's vertex.
             if (std::ranges::any_of(triangle, [&](auto index) { return index >= own.size(); }))
                 continue;
             for (std::uint32_t& index : triangle)
                 index += first;
-            geometry.triangles.push_back(triangle);
+            triangles.push_back(triangle);
+        }
+    });
+    return makeSurfaceCloud(positions, triangles, MeshShapes::Discs);
+}
+
+/// The hull of all vertices; empty where one of them is not meant to stay where it is.
+BodyHull readHull(const Ogre::Mesh& mesh) {
+    if (mesh.hasManualLodLevel()) return {};
+    std::vector<Vec3> positions;
+    bool fixed = true;
+    const Ogre::VertexData* last = nullptr;
+    forParts(mesh, [&](const Ogre::RenderOperation& operation) {
+        // Parts that share their vertices follow each other, as a rule.
+        if (operation.vertexData == last) return;
+        last = operation.vertexData;
+        fixed = fixed && isFixed(*last);
+        if (!fixed) return;
+        const std::vector<Vec3> own = readPositions(*last);
+        positions.insert(positions.end(), own.begin(), own.end());
+    });
+    return fixed ? makeBodyHull(positions) : BodyHull();
+}
+
+/// Reads something of a mesh; nothing where its positions are not floats, which OGRE has logged, or
+/// memory is short: the box has to do.
+template <typename Shape>
+const Shape& readOnce(std::optional<Shape>& shape, const Ogre::Mesh& mesh,
+                      Shape (*read)(const Ogre::Mesh&)) {
+    if (!shape) {
+        shape.emplace();
+        try {
+            *shape = read(mesh);
+        } catch (const std::exception&) {
         }
     }
-    return geometry;
+    return *shape;
+}
+
+/// Whether a vertex program may move vertices elsewhere than their node has them.
+bool mayMoveVertices(const Ogre::Entity& entity) {
+    for (const Ogre::SubEntity* part : entity.getSubEntities()) {
+        const Ogre::MaterialPtr& material = part->getMaterial();
+        if (!material) continue;
+        for (const Ogre::Technique* technique : material->getTechniques()) {
+            if (technique->getSchemeName() == ShaderGenerator) continue;
+            for (const Ogre::Pass* pass : technique->getPasses())
+                if (pass->hasVertexProgram() &&
+                    !Ogre::StringUtil::startsWith(pass->getVertexProgramName(), OwnPrograms, false))
+                    return true;
+        }
+    }
+    return false;
 }
 
 /// Whether the hull reaches as far as a mesh's bounds, but for the margin that OGRE adds to these.
@@ -77,9 +133,18 @@ bool fills(const BodyHull& hull, const Ogre::AxisAlignedBox& bounds) {
            (((upper + slack) - toDouble(bounds.getMaximum())).array() >= 0.0).all();
 }
 
+/// An entity's hull, for whoever must not throw.
+const BodyHull* hullOrNone(MeshShapes& meshes, const Ogre::Entity& entity) noexcept {
+    try {
+        return meshes.hullOf(entity);
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+}
+
 } // namespace
 
-const MeshShapes::Entry* MeshShapes::find(const Ogre::Entity& entity) {
+MeshShapes::Entry* MeshShapes::find(const Ogre::Entity& entity) {
     if (entity.hasSkeleton() || entity.hasVertexAnimation()) return nullptr;
     const Ogre::MeshPtr& mesh = entity.getMesh();
     const auto found = mEntries.find(mesh.get());
@@ -90,28 +155,23 @@ const MeshShapes::Entry* MeshShapes::find(const Ogre::Entity& entity) {
 
     std::erase_if(mEntries, [](const auto& entry) { return entry.second.mesh.expired(); });
     Entry entry{mesh, mesh->getStateCount(), mesh->getBounds(), {}, {}};
-    try {
-        const Geometry geometry = read(*mesh);
-        entry.cloud = makeSurfaceCloud(geometry.positions, geometry.triangles, Discs);
-        if (geometry.fixed && !mesh->hasManualLodLevel())
-            entry.hull = makeBodyHull(geometry.positions);
-        if (!fills(entry.hull, entry.bounds)) entry.hull = {};
-    } catch (const Ogre::Exception&) {
-        // Positions that are not floats: the box has to do. OGRE has logged the exception.
-    }
     return &mEntries.insert_or_assign(mesh.get(), std::move(entry)).first->second;
 }
 
 const SurfaceCloud* MeshShapes::cloudOf(const Ogre::Entity& entity) {
-    const Entry* const entry = find(entity);
-    return entry != nullptr && !entry->cloud.surfels.empty() ? &entry->cloud : nullptr;
+    Entry* const entry = find(entity);
+    if (entry == nullptr) return nullptr;
+    const SurfaceCloud& cloud = readOnce(entry->cloud, *entity.getMesh(), readCloud);
+    return cloud.surfels.empty() ? nullptr : &cloud;
 }
 
 const BodyHull* MeshShapes::hullOf(const Ogre::Entity& entity) {
-    const Entry* const entry = find(entity);
-    if (entry == nullptr || entry->hull.empty() || entry->bounds != entity.getMesh()->getBounds())
-        return nullptr;
-    return &entry->hull;
+    Entry* const entry = find(entity);
+    if (entry == nullptr || entry->bounds != entity.getMesh()->getBounds()) return nullptr;
+    const bool first = !entry->hull;
+    const BodyHull& hull = readOnce(entry->hull, *entity.getMesh(), readHull);
+    if (first && !fills(hull, entry->bounds)) entry->hull->vertices.clear();
+    return hull.empty() || mayMoveVertices(entity) ? nullptr : &hull;
 }
 
 void ObjectShapes::reset(MeshShapes& meshes, const Vec3& wsOrigin) {
@@ -124,7 +184,7 @@ const BodyHull* ObjectShapes::hullOf(std::size_t index,
                                      Eigen::Affine3d& wsFromBody) const noexcept {
     if (index >= mObjects.size()) return nullptr;
     const auto* const entity = dynamic_cast<const Ogre::Entity*>(mObjects[index]);
-    const BodyHull* const hull = entity != nullptr ? mMeshes->hullOf(*entity) : nullptr;
+    const BodyHull* const hull = entity != nullptr ? hullOrNone(*mMeshes, *entity) : nullptr;
     if (hull == nullptr) return nullptr;
     wsFromBody = Eigen::Affine3d(toDouble(entity->_getParentNodeFullTransform()));
     wsFromBody.pretranslate(-mWsOrigin);

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Ogre {
@@ -21,7 +22,7 @@ namespace Lixel {
     buffers, and kept.
 
     A mesh that is loaded anew is read anew. One whose buffers an application rewrites in place
-    keeps the discs of its first shape, and has no hull once its bounds change.
+    keeps its first shape, but has no hull once its bounds change.
 
     Null is what moves its vertices (skeletons, morphs, poses), and meshes without triangles that
     can be read. What is not null holds for as long as the mesh is there, and is not loaded anew.
@@ -36,8 +37,8 @@ public:
 
     /** A hull of an entity, in its own space.
         @return null too where its vertices may go beyond it: with manual levels of detail, buffers
-        that are not static, and bounds that are given larger than the vertices have it, as for
-        a vertex program that moves them */
+        that are not static, bounds that are given larger than the vertices have it, and vertex
+        programs of others than Lixel and OGRE's shader generator, which may move them */
     const BodyHull* hullOf(const Ogre::Entity& entity);
 
 private:
@@ -45,11 +46,12 @@ private:
         std::weak_ptr<Ogre::Mesh> mesh;
         std::size_t state = 0; ///< how often the mesh had been loaded
         Ogre::AxisAlignedBox bounds;
-        SurfaceCloud cloud;
-        BodyHull hull;
+        // Once they were asked for; empty where there is none.
+        std::optional<SurfaceCloud> cloud;
+        std::optional<BodyHull> hull;
     };
 
-    const Entry* find(const Ogre::Entity& entity);
+    Entry* find(const Ogre::Entity& entity);
 
     std::map<const Ogre::Mesh*, Entry> mEntries;
 };

@@ -40,6 +40,10 @@ namespace Lixel {
 */
 class LIXEL_API Survey {
 public:
+    Survey() = default;
+    Survey(const Survey&) = delete;
+    Survey& operator=(const Survey&) = delete;
+
     /// Surveys the scene of `viewer`, as seen through `viewport`.
     /// @param shadowDistance as ShadowViewer::shadowDistance: receivers beyond are left out
     void take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,

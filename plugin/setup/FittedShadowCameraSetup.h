@@ -71,9 +71,10 @@ public:
 
     /** Whether maps are fitted to convex hulls of meshes, where these fill their boxes badly, such
         as what is long and turned. Default true. Hulls are made of a mesh's vertices as they were
-        read: turn it off where a vertex program moves these beyond, in a mesh whose bounds do not
-        say so. Other bounds than the vertices', buffers that are not static, skeletons and vertex
-        animations are noticed without. */
+        first read: turn it off where static buffers are rewritten in place. What may move vertices
+        otherwise has no hull: vertex programs other than Lixel's and the shader generator's, larger
+        bounds than the vertices', buffers that are not static, skeletons, vertex animations and
+        manual levels of detail. */
     void setMeshHulls(bool use) { mMeshHulls = use; }
     bool getMeshHulls() const { return mMeshHulls; }
 

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+/// Of bodies of size 1 and 10 units away: a thousandth of what a float's positions leave.
+constexpr double Rounding = 1e-10;
+
 std::vector<Vec3> anyPoints(Dice& dice) {
     std::vector<Vec3> points(1 + dice.below(40));
     const Vec3 offset = 10.0 * dice.cube();
@@ -48,11 +51,11 @@ RC_GTEST_PROP(BodyHull, HoldsItsPoints, ()) {
     RC_ASSERT(!hull.empty());
     for (int i = 0; i < 100; ++i) {
         const Vec3 direction = dice.direction();
-        RC_ASSERT(reach(hull.vertices, direction) >= reach(points, direction));
+        RC_ASSERT(reach(hull.vertices, direction) >= reach(points, direction) - Rounding);
     }
 }
 
-RC_GTEST_PROP(BodyHull, TouchesItsPointsWithEachFace, ()) {
+RC_GTEST_PROP(BodyHull, ReachesHardlyBeyondItsPoints, ()) {
     Dice dice(*anySeed());
     const std::vector<Vec3> points = anyPoints(dice);
     const BodyHull hull = makeBodyHull(points);
@@ -60,7 +63,9 @@ RC_GTEST_PROP(BodyHull, TouchesItsPointsWithEachFace, ()) {
         for (int y = -1; y <= 1; ++y)
             for (int z = -1; z <= 1; ++z) {
                 const Vec3 normal = Vec3(x, y, z).stableNormalized();
-                RC_ASSERT(reach(hull.vertices, normal) <= reach(points, normal) + 1e-9);
+                // A face is left out that would cut off less than a 64th of half the longest side.
+                RC_ASSERT(reach(hull.vertices, normal) <=
+                          reach(points, normal) + 2.0 / 64.0 + 1e-9);
             }
 }
 
@@ -68,6 +73,7 @@ TEST(BodyHull, OfABoxIsTheBox) {
     const Box box{Vec3(1, 2, 3), Vec3(1, 0.5, 2)};
     const auto corner = corners(box);
     const BodyHull hull = makeBodyHull(corner);
+    EXPECT_EQ(hull.vertices.size(), 8U);
     EXPECT_NEAR(hull.volume, 8.0 * box.halfExtents.prod(), 1e-9);
     for (const Vec3& vertex : hull.vertices)
         EXPECT_NEAR(((vertex - box.centre).cwiseAbs() - box.halfExtents).norm(), 0.0, 1e-9);
@@ -80,7 +86,9 @@ TEST(BodyHull, OfAnOctahedronHasItsVolume) {
         points.push_back(axis);
         points.push_back(-axis);
     }
-    EXPECT_NEAR(makeBodyHull(points).volume, 4.0 / 3.0, 1e-9);
+    const BodyHull hull = makeBodyHull(points);
+    EXPECT_NEAR(hull.volume, 4.0 / 3.0, 1e-9);
+    EXPECT_EQ(hull.vertices.size(), 6U);
 }
 
 TEST(BodyHull, OfABallIsNearlyIt) {
@@ -94,6 +102,13 @@ TEST(BodyHull, OfABallIsNearlyIt) {
     EXPECT_LT(volume, 1.2 * ball);
 }
 
+TEST(BodyHull, OfAPointIsThere) {
+    const std::vector<Vec3> points = {Vec3(1, 2, 3)};
+    const std::vector<Vec3> found = placed(makeBodyHull(points), Eigen::Affine3d::Identity());
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR((found[0] - points[0]).norm(), 0.0, 1e-9);
+}
+
 TEST(BodyHull, OfNothingOrOfWhatIsNotANumberIsEmpty) {
     EXPECT_TRUE(makeBodyHull({}).empty());
     const std::vector<Vec3> points = {Vec3::Zero(), Vec3(0, Infinity, 0)};
@@ -104,9 +119,10 @@ TEST(BodyHull, OfNothingOrOfWhatIsNotANumberIsEmpty) {
 RC_GTEST_PROP(ClipHull, IsTheHullWithinTheVolume, ()) {
     Dice dice(*anySeed());
     const BodyHull hull = makeBodyHull(anyPoints(dice));
-    const Eigen::Affine3d wsFromBody = Eigen::Translation3d(dice.cube()) *
-                                       Eigen::AngleAxisd(dice.in(-3.0, 3.0), dice.direction()) *
-                                       Eigen::Scaling(dice.in(0.5, 2.0));
+    const Eigen::Affine3d wsFromBody =
+        Eigen::Translation3d(dice.cube()) *
+        Eigen::AngleAxisd(dice.in(-3.0, 3.0), dice.direction()) *
+        Eigen::Scaling(dice.chance(0.5) ? -1.5 : 0.5, dice.in(0.0, 2.0), 1.0);
     const std::vector<Vec3> whole = placed(hull, wsFromBody);
     Vec3 middle = Vec3::Zero();
     for (const Vec3& point : whole)

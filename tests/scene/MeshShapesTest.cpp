@@ -30,6 +30,7 @@ protected:
     /// A plank aslant, 20 units ahead.
     Ogre::Entity* addPlank(Ogre::Entity* plank = nullptr) {
         if (plank == nullptr) plank = addCube(Vector3(0, 0, -20), 0.5f);
+        plank->setMaterialName("BaseWhite"); // which has no programs
         Ogre::SceneNode* const node = plank->getParentSceneNode();
         node->setPosition(0, 0, -20);
         node->setScale(8, 0.4f, 0.4f);
@@ -118,6 +119,11 @@ TEST_P(HullsTest, AreNotOfWhatFillsItsBox) {
 TEST_P(HullsTest, AreOfMeshesThatApplicationsMake) {
     addPlank(addOwnCube("own", false));
     EXPECT_NE(hull(), nullptr);
+}
+
+TEST_P(HullsTest, AreNotOfWhatAVertexProgramMayMove) {
+    addPlank()->setMaterial(flatMaterial(true));
+    EXPECT_EQ(hull(), nullptr);
 }
 
 /// Its next shape may go beyond this one's.
