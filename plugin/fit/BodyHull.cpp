@@ -67,20 +67,18 @@ double volumeOf(const BodyHull& hull) {
 BodyHull makeBodyHull(std::span<const Vec3> positions) {
     BodyHull hull;
     if (positions.empty()) return hull;
-    Vec3 lower = positions[0];
-    Vec3 upper = lower;
+    Eigen::AlignedBox3d bounds;
     for (const Vec3& position : positions) {
         if (!position.allFinite()) return hull;
-        lower = lower.cwiseMin(position);
-        upper = upper.cwiseMax(position);
+        bounds.extend(position);
     }
-    const Box box{(lower + upper) / 2.0, (upper - lower) / 2.0};
+    const Box box{bounds.center(), bounds.sizes() / 2.0};
     ClipScratch scratch;
     std::vector<Vec3> all;
     clipBox(box, bevels(positions, box), scratch, all);
 
     // The edges that are left, and their vertices.
-    const double same = SameVertex * (upper.cwiseAbs() + lower.cwiseAbs()).maxCoeff();
+    const double same = SameVertex * (bounds.min().cwiseAbs() + bounds.max().cwiseAbs()).maxCoeff();
     const auto indexOf = [&](const Vec3& vertex) {
         std::size_t i = 0;
         while (i < hull.vertices.size() && !((hull.vertices[i] - vertex).norm() <= same))

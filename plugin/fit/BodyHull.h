@@ -14,7 +14,7 @@ namespace Lixel {
     does a map that is fitted to it. This is the polytope of 26 faces, whose normals have the
     components -1, 0 and 1: 6 as a box has, one for each of its edges, and one for each of its
     corners, where they cut something off (Klosowski et al. 1998, "Efficient Collision Detection
-   Using Bounding Volume Hierarchies of k-DOPs", §3).
+    Using Bounding Volume Hierarchies of k-DOPs", §3).
 */
 struct BodyHull {
     std::vector<Vec3> vertices;

@@ -81,17 +81,11 @@ void CoveringCasters::add(const Box& box, std::size_t index) {
             mScratch.points.push_back(point);
     } else {
         nearest = std::numeric_limits<double>::infinity();
-        mScratch.wsPoints.clear();
-        if (body.hull != nullptr)
-            clipHull(*body.hull, body.wsFromBody, mLit, mScratch.clip, mScratch.wsPoints);
-        else
-            clipBox(box, mLit, mScratch.clip, mScratch.wsPoints);
-        for (const Vec3& ws : mScratch.wsPoints) {
-            const Vec3 ls = mImage.lsFromPoint(ws);
-            if (!mImage.directional() && -ls.z() < 0.5 * mProblem.light.nearDistance) continue;
+        body.clip(box, mLit, mScratch);
+        forClipped(mProblem, mImage, mScratch, [&](const Vec3&, const Vec3& ls) {
             nearest = std::min(nearest, -ls.z());
             mScratch.points.push_back(mImage.project(ls));
-        }
+        });
     }
     if (mScratch.points.empty()) return;
     if (!clipToReceivers(box)) return;

@@ -2,6 +2,7 @@
 
 #include "fit/BodyHull.h"
 #include "fit/BoxQuery.h"
+#include "fit/FocusRegion.h"
 
 #include <bit>
 
@@ -18,9 +19,8 @@ void addAllBut(const BoxSet& boxes, const Within& within, const Add& add) {
     add(boxes.box(largest), boxes.origin(largest));
     std::size_t first = 0;
     for (const BoxSet::Block& block : boxes.blocks()) {
-        const std::size_t count = std::min(boxes.size() - first, BoxSet::BlockSize);
-        unsigned rest = (1U << count) - 1;
-        if (largest - first < count) rest &= ~(1U << (largest - first));
+        unsigned rest = boxes.lanes(first / BoxSet::BlockSize);
+        if (largest - first < BoxSet::BlockSize) rest &= ~(1U << (largest - first));
         rest &= ~within(block);
         while (rest != 0) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
@@ -41,6 +41,28 @@ struct PlacedHull {
         if (shapes != nullptr) hull = shapes->hullOf(index, wsFromBody);
         if (hull != nullptr && !wsFromBody.matrix().allFinite()) hull = nullptr;
     }
+
+    /// Leaves in the scratch memory the vertices of what the volume leaves of the body: of its
+    /// hull, if it is known, else of its box.
+    void clip(const Box& box, const ConvexVolume& volume, FocusScratch& scratch) const {
+        scratch.wsPoints.clear();
+        if (hull != nullptr)
+            clipHull(*hull, wsFromBody, volume, scratch.clip, scratch.wsPoints);
+        else
+            clipBox(box, volume, scratch.clip, scratch.wsPoints);
+    }
 };
+
+/// Calls `visit` with each clipped point in the scratch memory, in the world and in light space.
+template <typename Visit>
+void forClipped(const ShadowProblem& problem, const LightImage& image, const FocusScratch& scratch,
+                const Visit& visit) {
+    for (const Vec3& ws : scratch.wsPoints) {
+        const Vec3 ls = image.lsFromPoint(ws);
+        // A clipped vertex lies on the near plane but for rounding; nothing is divided by less.
+        if (!image.directional() && -ls.z() < 0.5 * problem.light.nearDistance) continue;
+        visit(ws, ls);
+    }
+}
 
 } // namespace Lixel

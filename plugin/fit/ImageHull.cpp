@@ -71,7 +71,10 @@ void findBeyond(std::span<const Vec2> hull, const Vec2& point, double slack, Bey
         sideOfOne = cross(along, point - from);
         return sideOfOne < -slack * (std::abs(along.x()) + std::abs(along.y()));
     };
-    result.last = isBeyond(n - 1);
+    // The edge that closes the polygon comes before the first, and is the last.
+    const bool closing = isBeyond(n - 1);
+    const double sideOfClosing = sideOfOne;
+    result.last = closing;
     std::size_t i = 0;
     for (; i + 4 < n; i += 4) {
         FourVertices from;
@@ -92,10 +95,11 @@ void findBeyond(std::span<const Vec2> hull, const Vec2& point, double slack, Bey
             result.next(i + k, (beyond >> lane & 1U) != 0, side[lane]);
         }
     }
-    for (; i < n; ++i) {
+    for (; i + 1 < n; ++i) {
         const bool beyond = isBeyond(i);
         result.next(i, beyond, sideOfOne);
     }
+    result.next(n - 1, closing, sideOfClosing);
 }
 
 } // namespace

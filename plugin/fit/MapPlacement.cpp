@@ -31,28 +31,13 @@ Vec3 wsAxisOf(const OrientedRectangle& rectangle, const LightImage& image) {
            Vec3(std::cos(rectangle.angle), std::sin(rectangle.angle), 0.0);
 }
 
-/// Chooses the map's axes around the warped region: the smallest rectangle, unless the last
-/// frame's orientation is nearly as good.
-OrientedRectangle chooseRectangle(const Polygon2& warped, const OrientedRectangle& smallest,
-                                  const LightImage& image, const std::optional<Vec3>& wsLastAxis,
-                                  Affine& result) {
-    if (wsLastAxis) {
-        const Vec3 axis = image.lsFromDirection(*wsLastAxis);
-        const double angle = std::fmod(std::atan2(axis.y(), axis.x()) + 2.0 * std::numbers::pi,
-                                       std::numbers::pi / 2.0);
-        const OrientedRectangle kept = boundsAt(warped, angle);
-        // Where the two are one but for rounding, the one that a fresh state finds is taken; and a
-        // kept axis stays as it is: nothing may creep while nothing moves.
-        if (kept.area() > smallest.area() * (1.0 + SameArea)) {
-            if (kept.area() * (1.0 - OrientationGain) <= smallest.area()) {
-                result.wsMapAxis = wsLastAxis;
-                return kept;
-            }
-            result.turned = true;
-        }
-    }
-    result.wsMapAxis = wsAxisOf(smallest, image);
-    return smallest;
+/// The rectangle along the last frame's axis, if there was one.
+std::optional<OrientedRectangle> lastRectangle(const Polygon2& warped, const LightImage& image,
+                                               const std::optional<Vec3>& wsLastAxis) {
+    if (!wsLastAxis) return std::nullopt;
+    const Vec3 axis = image.lsFromDirection(*wsLastAxis);
+    return boundsAt(warped, std::fmod(std::atan2(axis.y(), axis.x()) + 2.0 * std::numbers::pi,
+                                      std::numbers::pi / 2.0));
 }
 
 /// The unit vectors along a rectangle's sides.
@@ -116,22 +101,30 @@ Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const 
                    const Vec2& warp, double liReach, const FitState& state) {
     Affine result{};
     const Vec2 size(problem.mapWidth, problem.mapHeight);
-    const auto place = [&](OrientedRectangle& rectangle) {
-        widen(rectangle, size, liReach);
-        return roundingTexels(warped, warp, liReach, rectangle, size);
+    OrientedRectangle rectangle = smallestRectangle(warped);
+    std::optional<OrientedRectangle> last = lastRectangle(warped, image, state.wsMapAxis);
+    // Where the two are one but for rounding, the one that a fresh state finds is taken; and a kept
+    // axis stays as it is: nothing may creep while nothing moves.
+    if (last && !(last->area() > rectangle.area() * (1.0 + SameArea))) last.reset();
+    const bool small = last && last->area() * (1.0 - OrientationGain) <= rectangle.area();
+
+    const auto place = [&](OrientedRectangle& placed) {
+        widen(placed, size, liReach);
+        return roundingTexels(warped, warp, liReach, placed, size);
     };
-    OrientedRectangle smallest = smallestRectangle(warped);
-    OrientedRectangle rectangle = chooseRectangle(warped, smallest, image, state.wsMapAxis, result);
-    const Vec2 leastRounding = place(smallest);
     Vec2 rounding = place(rectangle);
-    // Along other axes a narrow side may have finer texels than the border makes up for.
-    if (rounding.maxCoeff() > GreatestBorderRounding) {
-        result.turned = true;
-        result.wsMapAxis = wsAxisOf(smallest, image);
-        rectangle = smallest;
-        rounding = leastRounding;
+    result.rounding = rounding.maxCoeff();
+    result.wsMapAxis = wsAxisOf(rectangle, image);
+    if (last) {
+        const Vec2 lastRounding = place(*last);
+        // Along other axes a narrow side may have finer texels than the border makes up for.
+        result.turned = !small || lastRounding.maxCoeff() > GreatestBorderRounding;
+        if (!result.turned) {
+            rectangle = *last;
+            rounding = lastRounding;
+            result.wsMapAxis = state.wsMapAxis;
+        }
     }
-    result.rounding = leastRounding.maxCoeff();
     result.border = rounding.array() + leastBorder(problem.filterRadius);
     result.mapAngle = rectangle.angle;
     // The rectangle's sides, without the border, become -1 and 1.

@@ -14,27 +14,6 @@ namespace {
 constexpr double HalfPi = std::numbers::pi / 2.0;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// The polygon's bounds along a unit vector and its left-hand normal; the angle is left at 0.
-OrientedRectangle boundsAlong(std::span<const Vec2> polygon, const Vec2& axis) {
-    OrientedRectangle r;
-    if (polygon.empty()) return r;
-    double lowerX = Infinity;
-    double lowerY = Infinity;
-    double upperX = -Infinity;
-    double upperY = -Infinity;
-    for (const Vec2& q : polygon) {
-        const double x = axis.x() * q.x() + axis.y() * q.y();
-        const double y = axis.x() * q.y() - axis.y() * q.x();
-        lowerX = std::min(lowerX, x);
-        lowerY = std::min(lowerY, y);
-        upperX = std::max(upperX, x);
-        upperY = std::max(upperY, y);
-    }
-    r.min = {lowerX, lowerY};
-    r.max = {upperX, upperY};
-    return r;
-}
-
 /// Four unit vectors, and a polygon's bounds along each and its left-hand normal.
 struct FourAxes {
     std::array<double, 4> x{}, y{};
@@ -68,6 +47,16 @@ void findBounds(std::span<const Vec2> polygon, FourAxes& axes) {
     store(leastAcross, axes.leastAcross.data());
     store(mostAlong, axes.mostAlong.data());
     store(mostAcross, axes.mostAcross.data());
+}
+
+/// The polygon's bounds along a unit vector and its left-hand normal; the angle is left at 0.
+OrientedRectangle boundsAlong(std::span<const Vec2> polygon, const Vec2& axis) {
+    if (polygon.empty()) return {};
+    FourAxes axes;
+    axes.x[0] = axis.x();
+    axes.y[0] = axis.y();
+    findBounds(polygon, axes);
+    return axes.bounds(0);
 }
 
 /// The direction of an edge, turned by right angles to where both coordinates are positive, the

@@ -242,8 +242,7 @@ void ViewRays::meet(const BoxSet& boxes, std::span<const KnownSurface> surfaces)
     const ClipRows rows = clipRows(mClipFromWorld);
     std::size_t first = 0;
     for (const BoxSet::Block& block : boxes.blocks()) {
-        const std::size_t count = std::min(boxes.size() - first, BoxSet::BlockSize);
-        unsigned lanes = (1U << count) - 1;
+        unsigned lanes = boxes.lanes(first / BoxSet::BlockSize);
         for (; !surfaces.empty() && surfaces[0].receiver < first + BoxSet::BlockSize;
              surfaces = surfaces.subspan(1))
             if (surfaces[0].receiver >= first) lanes &= ~(1U << (surfaces[0].receiver - first));

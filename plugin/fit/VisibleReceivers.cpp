@@ -48,15 +48,9 @@ void VisibleReceivers::add(const Box& box, std::size_t index) {
     const ConvexVolume::Side side = mSeen.classify(box);
     if (side == ConvexVolume::Side::Outside) return;
     const PlacedHull body(mProblem.receiverShapes, index);
-    if (body.hull != nullptr) {
-        mScratch.wsPoints.clear();
-        clipHull(*body.hull, body.wsFromBody, mSeen, mScratch.clip, mScratch.wsPoints);
-        addPoints();
-    } else if (side == ConvexVolume::Side::Inside) {
-        addCorners(box);
-    } else {
-        addClipped(box);
-    }
+    if (body.hull == nullptr && side == ConvexVolume::Side::Inside) return addCorners(box);
+    body.clip(box, mSeen, mScratch);
+    addPoints();
 }
 
 void VisibleReceivers::addClipped(const Box& box) {
@@ -85,15 +79,12 @@ void VisibleReceivers::addCorners(const Box& box) {
 }
 
 void VisibleReceivers::addPoints() {
-    for (const Vec3& ws : mScratch.wsPoints) {
-        const Vec3 ls = mImage.lsFromPoint(ws);
-        // A clipped vertex lies on the near plane but for rounding; nothing is divided by less.
-        if (!mImage.directional() && -ls.z() < 0.5 * mProblem.light.nearDistance) continue;
+    forClipped(mProblem, mImage, mScratch, [this](const Vec3& ws, const Vec3& ls) {
         include(mLsRange, -ls.z(), -ls.z());
         const double depth = mVsDepth.at(ws);
         include(mVsRange, depth, depth);
         mScratch.receivers.add(mImage.project(ls));
-    }
+    });
 }
 
 } // namespace Lixel

@@ -66,7 +66,23 @@ SurfaceCloud readCloud(const Ogre::Mesh& mesh) {
     return makeSurfaceCloud(positions, triangles, MeshShapes::Discs);
 }
 
-/// The hull of all vertices; empty where one of them is not meant to stay where it is.
+/// Whether the hull reaches as far as a mesh's bounds, but for the margin that OGRE adds to these.
+bool fills(const BodyHull& hull, const Ogre::AxisAlignedBox& bounds) {
+    if (hull.empty() || !bounds.isFinite()) return false;
+    Eigen::AlignedBox3d box;
+    for (const Vec3& vertex : hull.vertices)
+        box.extend(vertex);
+    // Padded when it was made, and once more when it was loaded.
+    const double padding =
+        2.0 * static_cast<double>(Ogre::MeshManager::getSingleton().getBoundsPaddingFactor());
+    const Vec3 slack =
+        padding * box.sizes() + Vec3::Constant(BoundsRounding * box.sizes().maxCoeff());
+    const Eigen::AlignedBox3d padded(box.min() - slack, box.max() + slack);
+    return padded.contains(toDouble(bounds.getMinimum())) &&
+           padded.contains(toDouble(bounds.getMaximum()));
+}
+
+/// The hull of all vertices; empty where one of them may not stay where it is.
 BodyHull readHull(const Ogre::Mesh& mesh) {
     if (mesh.hasManualLodLevel()) return {};
     std::vector<Vec3> positions;
@@ -81,7 +97,9 @@ BodyHull readHull(const Ogre::Mesh& mesh) {
         const std::vector<Vec3> own = readPositions(*last);
         positions.insert(positions.end(), own.begin(), own.end());
     });
-    return fixed ? makeBodyHull(positions) : BodyHull();
+    if (!fixed) return {};
+    BodyHull hull = makeBodyHull(positions);
+    return fills(hull, mesh.getBounds()) ? hull : BodyHull();
 }
 
 /// Reads something of a mesh; nothing where its positions are not floats, which OGRE has logged, or
@@ -113,24 +131,6 @@ bool mayMoveVertices(const Ogre::Entity& entity) {
         }
     }
     return false;
-}
-
-/// Whether the hull reaches as far as a mesh's bounds, but for the margin that OGRE adds to these.
-bool fills(const BodyHull& hull, const Ogre::AxisAlignedBox& bounds) {
-    if (hull.empty() || !bounds.isFinite()) return false;
-    Vec3 lower = hull.vertices[0];
-    Vec3 upper = lower;
-    for (const Vec3& vertex : hull.vertices) {
-        lower = lower.cwiseMin(vertex);
-        upper = upper.cwiseMax(vertex);
-    }
-    const Vec3 sides = upper - lower;
-    // Padded when it was made, and once more when it was loaded.
-    const double padding =
-        2.0 * static_cast<double>(Ogre::MeshManager::getSingleton().getBoundsPaddingFactor());
-    const Vec3 slack = padding * sides + Vec3::Constant(BoundsRounding * sides.maxCoeff());
-    return ((toDouble(bounds.getMinimum()) - (lower - slack)).array() >= 0.0).all() &&
-           (((upper + slack) - toDouble(bounds.getMaximum())).array() >= 0.0).all();
 }
 
 /// An entity's hull, for whoever must not throw.
@@ -168,9 +168,7 @@ const SurfaceCloud* MeshShapes::cloudOf(const Ogre::Entity& entity) {
 const BodyHull* MeshShapes::hullOf(const Ogre::Entity& entity) {
     Entry* const entry = find(entity);
     if (entry == nullptr || entry->bounds != entity.getMesh()->getBounds()) return nullptr;
-    const bool first = !entry->hull;
     const BodyHull& hull = readOnce(entry->hull, *entity.getMesh(), readHull);
-    if (first && !fills(hull, entry->bounds)) entry->hull->vertices.clear();
     return hull.empty() || mayMoveVertices(entity) ? nullptr : &hull;
 }
 
@@ -186,8 +184,7 @@ const BodyHull* ObjectShapes::hullOf(std::size_t index,
     const auto* const entity = dynamic_cast<const Ogre::Entity*>(mObjects[index]);
     const BodyHull* const hull = entity != nullptr ? hullOrNone(*mMeshes, *entity) : nullptr;
     if (hull == nullptr) return nullptr;
-    wsFromBody = Eigen::Affine3d(toDouble(entity->_getParentNodeFullTransform()));
-    wsFromBody.pretranslate(-mWsOrigin);
+    wsFromBody = relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin);
     const double filled = hull->volume * std::abs(wsFromBody.linear().determinant());
     const auto boxed = static_cast<double>(entity->getWorldBoundingBox().volume());
     return boxed > LooseBox * filled ? hull : nullptr;

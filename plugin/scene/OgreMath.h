@@ -2,6 +2,8 @@
 
 #include "fit/Types.h"
 
+#include <Eigen/Geometry>
+
 #include <OgreAxisAlignedBox.h>
 #include <OgreMatrix4.h>
 #include <OgreVector.h>
@@ -26,6 +28,13 @@ inline Box relativeBox(const Ogre::AxisAlignedBox& bounds, const Vec3& wsOrigin)
     const Vec3 lower = toDouble(bounds.getMinimum()) - wsOrigin;
     const Vec3 upper = toDouble(bounds.getMaximum()) - wsOrigin;
     return {(lower + upper) / 2.0, (upper - lower) / 2.0};
+}
+
+/// A transform into the world, as one relative to an origin there.
+inline Eigen::Affine3d relativeTransform(const Ogre::Affine3& wsFromOwn, const Vec3& wsOrigin) {
+    Eigen::Affine3d result(toDouble(wsFromOwn));
+    result.pretranslate(-wsOrigin);
+    return result;
 }
 
 inline Ogre::Vector3 toOgre(const Vec3& v) {

@@ -91,10 +91,8 @@ void Survey::addSurface(const Ogre::MovableObject& object, std::size_t receiver)
     const auto* const entity = dynamic_cast<const Ogre::Entity*>(&object);
     const SurfaceCloud* const cloud = entity != nullptr ? mMeshes.cloudOf(*entity) : nullptr;
     if (cloud == nullptr) return;
-    KnownSurface surface{receiver, cloud,
-                         Eigen::Affine3d(toDouble(entity->_getParentNodeFullTransform()))};
-    surface.wsFromCloud.pretranslate(-mWsOrigin);
-    mSurfaces.push_back(surface);
+    mSurfaces.push_back(
+        {receiver, cloud, relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin)});
 }
 
 } // namespace Lixel

@@ -26,14 +26,6 @@ std::vector<Vec3> anyPoints(Dice& dice) {
     return points;
 }
 
-/// How far the points reach along a direction.
-double reach(const std::vector<Vec3>& points, const Vec3& direction) {
-    double result = -Infinity;
-    for (const Vec3& point : points)
-        result = std::max(result, direction.dot(point));
-    return result;
-}
-
 /// The hull's vertices, and no plane to clip them by.
 std::vector<Vec3> placed(const BodyHull& hull, const Eigen::Affine3d& wsFromBody) {
     ClipScratch scratch;
@@ -51,7 +43,7 @@ RC_GTEST_PROP(BodyHull, HoldsItsPoints, ()) {
     RC_ASSERT(!hull.empty());
     for (int i = 0; i < 100; ++i) {
         const Vec3 direction = dice.direction();
-        RC_ASSERT(reach(hull.vertices, direction) >= reach(points, direction) - Rounding);
+        RC_ASSERT(support3(hull.vertices, direction) >= support3(points, direction) - Rounding);
     }
 }
 
@@ -64,8 +56,8 @@ RC_GTEST_PROP(BodyHull, ReachesHardlyBeyondItsPoints, ()) {
             for (int z = -1; z <= 1; ++z) {
                 const Vec3 normal = Vec3(x, y, z).stableNormalized();
                 // A face is left out that would cut off less than a 64th of half the longest side.
-                RC_ASSERT(reach(hull.vertices, normal) <=
-                          reach(points, normal) + 2.0 / 64.0 + 1e-9);
+                RC_ASSERT(support3(hull.vertices, normal) <=
+                          support3(points, normal) + 2.0 / 64.0 + 1e-9);
             }
 }
 
@@ -135,12 +127,8 @@ RC_GTEST_PROP(ClipHull, IsTheHullWithinTheVolume, ()) {
     ClipScratch scratch;
     std::vector<Vec3> clipped;
     clipHull(hull, wsFromBody, volume, scratch, clipped);
-    const auto inside = [&](const Vec3& point, double slack) {
-        return std::all_of(volume.planes().begin(), volume.planes().end(),
-                           [&](const Plane& plane) { return plane.distance(point) >= -slack; });
-    };
     for (const Vec3& point : clipped)
-        RC_ASSERT(inside(point, 1e-9));
+        RC_ASSERT(inside(volume, point) >= -1e-9);
     // Any point of the hull that is inside reaches no farther than what is left.
     for (int i = 0; i < 50; ++i) {
         Vec3 point = Vec3::Zero();
@@ -151,10 +139,10 @@ RC_GTEST_PROP(ClipHull, IsTheHullWithinTheVolume, ()) {
             sum += weight;
         }
         point /= sum;
-        if (!inside(point, 0.0)) continue;
+        if (inside(volume, point) < 0.0) continue;
         for (int k = 0; k < 10; ++k) {
             const Vec3 direction = dice.direction();
-            RC_ASSERT(reach(clipped, direction) >= direction.dot(point) - 1e-9);
+            RC_ASSERT(support3(clipped, direction) >= direction.dot(point) - 1e-9);
         }
     }
 }

@@ -22,21 +22,6 @@ Dice anyDice() {
     return Dice(*anySeed());
 }
 
-/// The least plane distance; >= 0 inside.
-double inside(const ConvexVolume& volume, const Vec3& p) {
-    double result = Infinity;
-    for (const Plane& plane : volume.planes())
-        result = std::min(result, plane.distance(p));
-    return result;
-}
-
-double support3(const std::vector<Vec3>& points, const Vec3& d) {
-    double result = -Infinity;
-    for (const Vec3& p : points)
-        result = std::max(result, d.dot(p));
-    return result;
-}
-
 std::vector<Vec3> clipped(const Box& box, const ConvexVolume& volume) {
     ClipScratch scratch;
     std::vector<Vec3> points;

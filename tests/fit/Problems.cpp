@@ -456,6 +456,20 @@ Mat4 roundedToFloat(const Mat4& m) {
     return m.cast<float>().cast<double>();
 }
 
+double inside(const ConvexVolume& volume, const Vec3& p) {
+    double result = Infinity;
+    for (const Plane& plane : volume.planes())
+        result = std::min(result, plane.distance(p));
+    return result;
+}
+
+double support3(const std::vector<Vec3>& points, const Vec3& d) {
+    double result = -Infinity;
+    for (const Vec3& p : points)
+        result = std::max(result, d.dot(p));
+    return result;
+}
+
 std::ostream& operator<<(std::ostream& out, const Scene& scene) {
     const ShadowLight& light = scene.light;
     out << std::setprecision(17) << "viewFromWorld\n"

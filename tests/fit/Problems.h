@@ -158,4 +158,10 @@ Vec2 texelOf(const Mat4& clipFromWorld, const Scene& scene, const Vec3& ws);
 /// The matrix that a graphics card gets.
 Mat4 roundedToFloat(const Mat4& m);
 
+/// The least of the volume's plane distances at p; >= 0 inside.
+double inside(const ConvexVolume& volume, const Vec3& p);
+
+/// How far the points reach along d.
+double support3(const std::vector<Vec3>& points, const Vec3& d);
+
 } // namespace Lixel::Test
