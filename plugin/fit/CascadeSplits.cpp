@@ -43,7 +43,7 @@ bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
     findFocusRegion(problem, image, state.scratch, region);
     if (!hasMap(region.reason)) return false;
     sampleView(problem, image, region.liHull, state.scratch.receiversInView, Samples,
-               state.viewRays, state.samples);
+               state.sampling, state.samples);
     double nearest = region.vsReceiverNear;
     double farthest = region.vsReceiverFar;
     if (!state.samples.empty()) {

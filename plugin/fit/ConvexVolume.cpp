@@ -31,10 +31,15 @@ void cutOff(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch
     std::vector<Vec3>& vertices = scratch.vertices;
     std::vector<ClipScratch::Edge>& edges = scratch.edges;
     scratch.distances.resize(vertices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i)
+    bool cuts = false;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
         scratch.distances[i] = plane.distance(vertices[i]);
+        cuts |= scratch.distances[i] < -slack;
+    }
+    if (!cuts) return;
 
     scratch.cuts.clear();
+    scratch.lastCut.assign(newFace, ClipScratch::NoCut);
     std::size_t kept = 0;
     const std::size_t count = edges.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -51,19 +56,20 @@ void cutOff(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch
             const auto cut = static_cast<std::uint32_t>(vertices.size());
             vertices.push_back(begin + t * (end - begin));
             edge.vertices[outsideA ? 0 : 1] = cut;
-            for (const std::uint32_t face : edge.faces)
-                scratch.cuts.push_back({face, cut});
+            for (const std::uint32_t face : edge.faces) {
+                std::uint32_t& last = scratch.lastCut[face];
+                scratch.cuts.push_back({face, cut, last});
+                last = static_cast<std::uint32_t>(scratch.cuts.size() - 1);
+            }
         }
         edges[kept++] = edge;
     }
     edges.resize(kept);
     // A face is cut in two edges. Where rounding makes it more, all cuts are joined: a segment too
     // many still lies in the volume, and one too few might be missed by the next plane.
-    for (std::size_t i = 0; i < scratch.cuts.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            if (scratch.cuts[i].face == scratch.cuts[k].face)
-                edges.push_back({{scratch.cuts[i].vertex, scratch.cuts[k].vertex},
-                                 {scratch.cuts[i].face, newFace}});
+    for (const ClipScratch::Cut& cut : scratch.cuts)
+        for (std::uint32_t i = cut.previous; i != ClipScratch::NoCut; i = scratch.cuts[i].previous)
+            edges.push_back({{cut.vertex, scratch.cuts[i].vertex}, {cut.face, newFace}});
 }
 
 /// Appends the vertices that edges are left of.

@@ -65,11 +65,16 @@ struct ClipScratch {
     struct Cut {
         std::uint32_t face;
         std::uint32_t vertex;
+        /// The cut of the same face before it.
+        std::uint32_t previous;
     };
+    static constexpr std::uint32_t NoCut = 0xffffffff;
     std::vector<Vec3> vertices;
     std::vector<double> distances;
     std::vector<Edge> edges;
     std::vector<Cut> cuts;
+    /// For each face its last cut.
+    std::vector<std::uint32_t> lastCut;
     /// Whether a vertex was appended, as numbers: bits are slower.
     std::vector<std::uint8_t> used;
 };

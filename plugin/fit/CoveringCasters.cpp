@@ -90,8 +90,7 @@ void CoveringCasters::add(const Box& box, std::size_t index) {
     if (mScratch.points.empty()) return;
     if (!clipToReceivers(box)) return;
     mLsNear = std::min(mLsNear, nearest);
-    for (const Vec2& point : mScratch.points)
-        mScratch.casters.add(point);
+    mScratch.casters.add(mScratch.points);
 }
 
 bool CoveringCasters::clipToReceivers(const Box& box) {

@@ -33,7 +33,7 @@ struct FitState {
     FocusScratch scratch;
     FocusRegion region;
     Polygon2 warped;
-    ViewRays viewRays;
+    SampleScratch sampling;
     std::vector<ViewSample> samples;
     /// The focus region's hull with few vertices, for evaluating many warps.
     Polygon2 simpleHull;

@@ -102,6 +102,26 @@ void findBeyond(std::span<const Vec2> hull, const Vec2& point, double slack, Bey
     result.next(n - 1, closing, sideOfClosing);
 }
 
+/// Finds which of four points lie beyond an edge, as bits.
+/// @param slack as above
+LIXEL_VECTOR_CLONES
+unsigned lanesBeyond(std::span<const Vec2> hull, const Vec2* points, double slack) {
+    FourVertices four;
+    loadVertices(points, four);
+    FourMask beyond{};
+    Vec2 from = hull.back();
+    for (const Vec2& to : hull) {
+        const double edgeX = to.x() - from.x();
+        const double edgeY = to.y() - from.y();
+        const double limit = -slack * (std::abs(edgeX) + std::abs(edgeY));
+        beyond |= edgeX * (four.y - from.y()) - edgeY * (four.x - from.x()) < limit;
+        from = to;
+    }
+    const unsigned bits = bitsOf(beyond);
+    // The second and the third change places back.
+    return (bits & 9U) | (bits & 2U) << 1 | (bits & 4U) >> 1;
+}
+
 } // namespace
 
 void ImageHull::reset(const LightImage& image) {
@@ -123,10 +143,10 @@ Plane ImageHull::edgePlane(const Vec2& from, const Vec2& to) const {
     return {normal, -normal.dot(mImage.wsEye())};
 }
 
-void ImageHull::rebuild(const Vec2& point) {
+void ImageHull::rebuild(std::span<const Vec2> points) {
     ++mRevision;
     mPoints = mHull;
-    mPoints.push_back(point);
+    mPoints.insert(mPoints.end(), points.begin(), points.end());
     convexHull(mPoints, mHull);
     mEdges.clear();
     const std::size_t n = mHull.size();
@@ -149,17 +169,31 @@ void ImageHull::findFlatness() {
               mTwiceArea > FlatWidth * mCoordinate * std::sqrt(mSquaredLength));
 }
 
-void ImageHull::add(const Vec2& point) {
+void ImageHull::add(std::span<const Vec2> points) {
+    while (!points.empty()) {
+        // A flat hull is found by sorting, which never loses its ends.
+        if (mFlat) return rebuild(points);
+        const std::size_t count = std::min<std::size_t>(points.size(), 4);
+        // Most points are within.
+        unsigned rest = (1U << count) - 1;
+        if (count == 4) rest = lanesBeyond(mHull, points.data(), OnEdge * mCoordinate);
+        for (; rest != 0; rest &= rest - 1)
+            addOne(points[static_cast<std::size_t>(std::countr_zero(rest))]);
+        points = points.subspan(count);
+    }
+}
+
+void ImageHull::addOne(const Vec2& point) {
     const std::size_t n = mHull.size();
-    // A flat hull is found by sorting, which never loses its ends.
-    if (mFlat) return rebuild(point);
+    const auto rebuildWith = [this](const Vec2& p) { rebuild({&p, 1}); };
+    if (mFlat) return rebuildWith(point);
 
     const double coordinate = std::max(mCoordinate, point.cwiseAbs().maxCoeff());
     Beyond beyond;
     findBeyond(mHull, point, OnEdge * coordinate, beyond);
     if (beyond.count == 0) return;
     // Rounding, where the hull is next to nothing.
-    if (beyond.runs != 1) return rebuild(point);
+    if (beyond.runs != 1) return rebuildWith(point);
 
     // What remains runs from vertex `first` over `kept` vertices to where the run began.
     const auto vertex = [&](std::size_t i) -> const Vec2& { return mHull[i < n ? i : i - n]; };
@@ -175,7 +209,8 @@ void ImageHull::add(const Vec2& point) {
         first = (first + 1) % n;
         --kept;
     }
-    if (kept == 2 && turn(point, vertex(first), vertex(first + 1)) <= 0.0) return rebuild(point);
+    if (kept == 2 && turn(point, vertex(first), vertex(first + 1)) <= 0.0)
+        return rebuildWith(point);
 
     ++mRevision;
     const std::size_t at = replaceBefore(first, n - kept, point);

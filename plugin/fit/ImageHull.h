@@ -16,7 +16,7 @@ class ImageHull {
 public:
     /// Starts an empty hull in that image.
     void reset(const LightImage& image);
-    void add(const Vec2& point);
+    void add(std::span<const Vec2> points);
 
     /// The hull of all points added so far.
     const Polygon2& hull() const { return mHull; }
@@ -28,8 +28,9 @@ public:
 
 private:
     Plane edgePlane(const Vec2& from, const Vec2& to) const;
-    /// Finds the hull of its vertices and one more point anew.
-    void rebuild(const Vec2& point);
+    void addOne(const Vec2& point);
+    /// Finds the hull of its vertices and more points anew.
+    void rebuild(std::span<const Vec2> points);
     void findFlatness();
     /// Puts the point in the place of `count` vertices before the vertex `end`, around the polygon.
     /// @return where it is now; the edges to and from there are left to be set

@@ -6,7 +6,8 @@ namespace Lixel {
 
 /// What the optimal fit may spend: the knob between time and accuracy.
 struct OptimalOptions {
-    /// Samples of what the viewer sees, at most, by which warps are judged. At least 1.
+    /// Samples of what the viewer sees, at most, by which warps are judged; about half as many of
+    /// what fills little of the picture. At least 1.
     int samples = 64;
     /// Warps judged where nothing is known of the frame before, at least 8. A frame that follows
     /// another goes on from there with a quarter, and at least 8.

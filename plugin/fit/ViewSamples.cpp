@@ -186,6 +186,8 @@ public:
     }
 
     bool complete() const { return mSamples.size() >= mMost; }
+    /// Is content with half as many from now on.
+    void halve() { mMost = (mMost + 1) / 2; }
 
     void add(const VisiblePoint& point) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -240,43 +242,37 @@ void visitSpread(std::size_t count, const Visit& visit) {
     }
 }
 
-/// Traces view rays against the receivers: their known surfaces, and the boxes of all others.
-void traceReceivers(const ShadowProblem& problem, const LightImage& image,
-                    const BoxSet& receiversInView, ViewRays& rays) {
-    rays.cast(withDepthAhead(problem.viewer.clipFromView) * problem.viewer.viewFromWorld);
-    // What is in view but not lit, or in another map's part, hides what is: a directional light
-    // without parts has neither.
-    if (image.directional() && problem.part == nullptr && problem.surfaces.empty())
-        rays.meet(receiversInView, {});
-    else
-        rays.meet(*problem.receivers, problem.surfaces);
-    for (const KnownSurface& surface : problem.surfaces) {
+/// Places the discs of known surfaces in the world.
+void placeDiscs(std::span<const KnownSurface> surfaces, std::vector<Surfel>& discs) {
+    discs.clear();
+    for (const KnownSurface& surface : surfaces) {
         const Mat3 linear = surface.wsFromCloud.linear();
         // Normals turn with the inverse transpose; discs are as large as the body's volume scales.
         const Mat3 turned = linear.inverse().transpose();
         const double scale = std::cbrt(std::abs(linear.determinant()));
         for (const Surfel& own : surface.cloud->surfels)
-            rays.meet(Surfel{surface.wsFromCloud * own.centre,
+            discs.push_back({surface.wsFromCloud * own.centre,
                              (turned * own.normal).stableNormalized(), scale * own.radius});
     }
 }
 
-} // namespace
-
-void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
-                const BoxSet& receiversInView, std::size_t most, ViewRays& rays,
-                std::vector<ViewSample>& samples) {
-    const Judgement judgement = judgementOf(problem, image, liHull);
-    Collector collector(judgement, most, samples);
-    const std::span<const VisiblePoint> points = problem.visiblePoints;
-    if (!points.empty()) {
-        visitSpread(points.size(), [&](std::size_t i) {
-            collector.add(points[i]);
-            return !collector.complete();
-        });
-    } else {
-        traceReceivers(problem, image, receiversInView, rays);
-        const Vec3 towards = image.lsFromWs().row(2);
+/// Collects what view rays see of the receivers: of their known surfaces, and of the boxes of all
+/// others.
+void traceReceivers(const ShadowProblem& problem, const LightImage& image,
+                    const BoxSet& receiversInView, SampleScratch& scratch, Collector& collector) {
+    const Mat4 clipFromWorld =
+        withDepthAhead(problem.viewer.clipFromView) * problem.viewer.viewFromWorld;
+    placeDiscs(problem.surfaces, scratch.discs);
+    // What is in view but not lit, or in another map's part, hides what is: a directional light
+    // without parts has neither.
+    const bool allLit = image.directional() && problem.part == nullptr && problem.surfaces.empty();
+    const BoxSet& boxes = allLit ? receiversInView : *problem.receivers;
+    const Vec3 towards = image.lsFromWs().row(2);
+    ViewRays& rays = scratch.rays;
+    for (std::size_t round = 0; round < ViewRays::Rounds && !collector.complete(); ++round) {
+        rays.cast(clipFromWorld, round);
+        rays.meet(boxes, problem.surfaces);
+        rays.meet(scratch.discs);
         visitSpread(ViewRays::Count, [&](std::size_t i) {
             // Many points face away from a directional light: they need not be found.
             if (!rays.hit(i) || (image.directional() && rays.facing(i, towards) < LeastFacing))
@@ -284,7 +280,25 @@ void sampleView(const ShadowProblem& problem, const LightImage& image, const Pol
             collector.add(rays.point(i));
             return !collector.complete();
         });
+        collector.flush();
+        // As many again are not worth another round of rays.
+        if (round == 0) collector.halve();
     }
+}
+
+} // namespace
+
+void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
+                const BoxSet& receiversInView, std::size_t most, SampleScratch& scratch,
+                std::vector<ViewSample>& samples) {
+    const Judgement judgement = judgementOf(problem, image, liHull);
+    Collector collector(judgement, most, samples);
+    const std::span<const VisiblePoint> points = problem.visiblePoints;
+    if (points.empty()) return traceReceivers(problem, image, receiversInView, scratch, collector);
+    visitSpread(points.size(), [&](std::size_t i) {
+        collector.add(points[i]);
+        return !collector.complete();
+    });
     collector.flush();
 }
 

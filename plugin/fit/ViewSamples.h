@@ -16,6 +16,13 @@ struct ViewSample {
     Eigen::Matrix2d ndcFromLi = Eigen::Matrix2d::Identity();
 };
 
+/// Scratch memory of sampling, kept between frames.
+struct SampleScratch {
+    ViewRays rays;
+    /// Known surfaces in the world.
+    std::vector<Surfel> discs;
+};
+
 /** Samples what the viewer sees of the receivers and the light shines on, within the focus region.
 
     The visible points are the problem's own where it has any; otherwise view rays, spread evenly
@@ -25,6 +32,7 @@ struct ViewSample {
 
     Where there are more points than wanted, they are taken in an order of which each beginning is
     spread over all of them, until there are enough: so one that comes or goes changes few samples.
+    Of what a first round of rays sees too little of, half as many samples are enough.
 
     @param liHull of the focus region, or a little more; samples lie within it
     @param receiversInView the receivers that may be in view and lit, as the focus region's search
@@ -32,7 +40,7 @@ struct ViewSample {
     @param most samples to keep
 */
 void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
-                const BoxSet& receiversInView, std::size_t most, ViewRays& rays,
+                const BoxSet& receiversInView, std::size_t most, SampleScratch& scratch,
                 std::vector<ViewSample>& samples);
 
 } // namespace Lixel

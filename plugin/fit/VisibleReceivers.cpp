@@ -74,17 +74,18 @@ void VisibleReceivers::addCorners(const Box& box) {
     const Vec2 vs = mVsDepth.over(box);
     include(mLsRange, ls.x(), ls.y());
     include(mVsRange, vs.x(), vs.y());
-    for (const Vec2& point : boxImage(mImage, box))
-        mScratch.receivers.add(point);
+    mScratch.receivers.add(boxImage(mImage, box));
 }
 
 void VisibleReceivers::addPoints() {
+    mScratch.points.clear();
     forClipped(mProblem, mImage, mScratch, [this](const Vec3& ws, const Vec3& ls) {
         include(mLsRange, -ls.z(), -ls.z());
         const double depth = mVsDepth.at(ws);
         include(mVsRange, depth, depth);
-        mScratch.receivers.add(mImage.project(ls));
+        mScratch.points.push_back(mImage.project(ls));
     });
+    mScratch.receivers.add(mScratch.points);
 }
 
 } // namespace Lixel

@@ -100,7 +100,7 @@ WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples)
     mHull = region.liHull;
     simplifyOutward(mHull, SearchVertices);
     sampleView(context.problem, context.image, mHull, state.scratch.receiversInView, samples,
-               state.viewRays, state.samples);
+               state.sampling, state.samples);
     // A camera cut makes it another region, which the last choice has nothing to do with.
     if (state.search) mChange = changeBetween(mNow, *state.search);
     if (!(mChange < AnotherRegion)) state.search.reset();

@@ -38,11 +38,15 @@ std::vector<Vec2> anyPoints(Dice& dice) {
     return points;
 }
 
-ImageHull hullOf(const LightImage& image, const std::vector<Vec2>& points) {
+/// The hull of the points, of which some come one by one and others many at a time.
+ImageHull hullOf(const LightImage& image, std::span<const Vec2> points, Dice& dice) {
     ImageHull hull;
     hull.reset(image);
-    for (const Vec2& p : points)
-        hull.add(p);
+    while (!points.empty()) {
+        const std::size_t count = std::min(points.size(), 1 + dice.below(12));
+        hull.add(points.first(count));
+        points = points.subspan(count);
+    }
     return hull;
 }
 
@@ -52,7 +56,7 @@ RC_GTEST_PROP(ImageHull, IsTheHullOfItsPoints, ()) {
     Dice dice(*anySeed());
     const LightImage image = anyImage(dice);
     const std::vector<Vec2> points = anyPoints(dice);
-    const ImageHull hull = hullOf(image, points);
+    const ImageHull hull = hullOf(image, points, dice);
     // At the tip of a hull that is just wide enough not to be flat.
     const double rounding = 1e-6;
     for (int i = 0; i < 100; ++i) {
@@ -74,7 +78,7 @@ RC_GTEST_PROP(ImageHull, IsTheHullOfItsPoints, ()) {
 RC_GTEST_PROP(ImageHull, HasItsEdgesAsPlanesInTheWorld, ()) {
     Dice dice(*anySeed());
     const LightImage image = anyImage(dice);
-    const ImageHull hull = hullOf(image, anyPoints(dice));
+    const ImageHull hull = hullOf(image, anyPoints(dice), dice);
     const Polygon2& polygon = hull.hull();
     for (std::size_t i = 0; i < hull.edges().size(); ++i) {
         const Vec2& a = polygon[i];
@@ -91,14 +95,13 @@ RC_GTEST_PROP(ImageHull, HasItsEdgesAsPlanesInTheWorld, ()) {
 TEST(ImageHull, CountsItsChanges) {
     ImageHull hull;
     hull.reset(LightImage(ShadowLight{}));
-    for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)})
-        hull.add(p);
+    const auto add = [&](const std::vector<Vec2>& points) { hull.add(points); };
+    add({Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)});
     const std::size_t before = hull.revision();
-    hull.add(Vec2(0.25, 0.25));
-    hull.add(Vec2(0.5, 0.5));
-    hull.add(Vec2(1.0, 0.0));
+    add({Vec2(0.25, 0.25)});
+    add({Vec2(0.5, 0.5), Vec2(1.0, 0.0), Vec2(0.25, 0.5), Vec2(0.0, 0.0), Vec2(0.0, 0.5)});
     EXPECT_EQ(hull.revision(), before);
-    hull.add(Vec2(1.0, 1.0));
+    add({Vec2(1.0, 1.0)});
     EXPECT_NE(hull.revision(), before);
     EXPECT_EQ(hull.hull().size(), 4U);
     hull.reset(LightImage(ShadowLight{}));

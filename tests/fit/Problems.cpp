@@ -425,6 +425,17 @@ bool isLostInRounding(const Scene& scene, const FitState& state) {
     return (greatest - least).norm() < 100.0 * 0x1p-19 * reach;
 }
 
+std::vector<ViewSample> samplesOf(const ShadowProblem& problem, std::size_t most) {
+    const LightImage image(problem.light);
+    FocusScratch scratch;
+    FocusRegion region;
+    findFocusRegion(problem, image, scratch, region);
+    SampleScratch sampling;
+    std::vector<ViewSample> samples;
+    sampleView(problem, image, region.liHull, scratch.receiversInView, most, sampling, samples);
+    return samples;
+}
+
 Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws) {
     return clipFromWorld * ws.homogeneous();
 }

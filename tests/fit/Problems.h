@@ -143,6 +143,10 @@ const std::vector<Technique>& techniques();
 /// rounding: the shared fit shortens any warp there.
 bool isLostInRounding(const Scene& scene, const FitState& state);
 
+/// What is sampled of the problem's focus region.
+/// @param most samples
+std::vector<ViewSample> samplesOf(const ShadowProblem& problem, std::size_t most);
+
 /// Clip coordinates of a world point.
 Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws);
 

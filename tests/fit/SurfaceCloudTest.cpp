@@ -36,14 +36,7 @@ SurfaceCloud room() {
 std::vector<ViewSample> sample(const Scene& scene, std::span<const KnownSurface> surfaces) {
     ShadowProblem problem = scene.problem();
     problem.surfaces = surfaces;
-    const LightImage image(scene.light);
-    FocusScratch scratch;
-    FocusRegion region;
-    findFocusRegion(problem, image, scratch, region);
-    ViewRays rays;
-    std::vector<ViewSample> samples;
-    sampleView(problem, image, region.liHull, scratch.receiversInView, 1000, rays, samples);
-    return samples;
+    return samplesOf(problem, 1000);
 }
 
 /// The viewer in a room whose box ends far below and above what there is of it.

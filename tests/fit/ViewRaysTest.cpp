@@ -39,7 +39,7 @@ RC_GTEST_PROP(ViewRays, MeetWhatEachRayMeetsFirst, ()) {
     const std::size_t known = dice.below(scene.receivers.size() + 1);
     const KnownSurface surface{.receiver = known};
     ViewRays rays;
-    rays.cast(clipFromWorld);
+    rays.cast(clipFromWorld, dice.below(ViewRays::Rounds));
     rays.meet(scene.receivers,
               known < scene.receivers.size() ? std::span(&surface, 1) : std::span(&surface, 0));
     for (std::size_t ray = 0; ray < ViewRays::Count; ++ray) {
@@ -70,5 +70,64 @@ RC_GTEST_PROP(ViewRays, MeetWhatEachRayMeetsFirst, ()) {
         // Faces are seen from their front, or from within.
         RC_ASSERT(point.wsNormal.norm() == 1.0);
         RC_ASSERT(point.wsNormal.dot(direction) <= 0.0);
+    }
+}
+
+RC_GTEST_PROP(ViewRays, MeetTheNearestDiscThatFacesThem, ()) {
+    const Scene scene = *anyScene();
+    const Mat4 clipFromWorld = scene.viewer.clipFromView * scene.viewer.viewFromWorld;
+    RC_PRE(std::abs(clipFromWorld.determinant()) > 0.0);
+    const Mat4 worldFromClip = clipFromWorld.inverse();
+    Dice dice(*anySeed());
+    std::vector<Surfel> discs;
+    for (std::size_t count = dice.below(12); discs.size() < count;)
+        discs.push_back({eyeOf(scene.viewer) + scene.size * (forwardOf(scene.viewer) + dice.cube()),
+                         dice.direction(), scene.size * dice.in(0.0, 0.5)});
+    ViewRays rays;
+    rays.cast(clipFromWorld, dice.below(ViewRays::Rounds));
+    rays.meet(discs);
+    for (std::size_t ray = 0; ray < ViewRays::Count; ++ray) {
+        const Vec2 ndc = rays.ndc(ray);
+        const Vec4 nearPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), -1.0, 1.0);
+        const Vec4 farPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), 1.0, 1.0);
+        const Vec3 origin = nearPoint.head<3>() / nearPoint.w();
+        const Vec3 direction = farPoint.head<3>() - farPoint.w() * origin;
+        double nearest = std::numeric_limits<double>::infinity();
+        const Surfel* met = nullptr;
+        bool unsure = false;
+        for (const Surfel& disc : discs) {
+            const double towards = -direction.dot(disc.normal);
+            const double t = (origin - disc.centre).dot(disc.normal) / towards;
+            const double beside = (origin + t * direction - disc.centre).norm();
+            // Rounding decides at the rim, and at an edge that is seen from the side.
+            unsure |= std::abs(beside - disc.radius) < 1e-6 * scene.size ||
+                      std::abs(towards) < 1e-6 * direction.norm();
+            if (!(towards > 0.0 && t >= 0.0 && t < nearest && beside <= disc.radius)) continue;
+            nearest = t;
+            met = &disc;
+        }
+        if (unsure) continue;
+        RC_ASSERT(rays.hit(ray) == (met != nullptr));
+        if (met == nullptr) continue;
+        const VisiblePoint point = rays.point(ray);
+        RC_ASSERT(point.wsNormal == met->normal);
+        RC_ASSERT((point.ws - origin - nearest * direction).norm() <=
+                  1e-9 * (nearest * direction.norm() + scene.size));
+    }
+}
+
+TEST(ViewRays, OfTheNextRoundGoThroughOtherPointsOfTheSameCells) {
+    const Mat4 clipFromWorld = perspective(1.0, 1.5, 0.1, 100.0);
+    ViewRays first;
+    ViewRays second;
+    first.cast(clipFromWorld, 0);
+    second.cast(clipFromWorld, 1);
+    const Vec2 cells(ViewRays::Columns, ViewRays::Rows);
+    for (std::size_t ray = 0; ray < ViewRays::Count; ++ray) {
+        const Vec2 a = (first.ndc(ray).array() + 1.0) / 2.0 * cells.array();
+        const Vec2 b = (second.ndc(ray).array() + 1.0) / 2.0 * cells.array();
+        EXPECT_EQ(a.array().floor().matrix(), b.array().floor().matrix());
+        EXPECT_NEAR((a - b).cwiseAbs().minCoeff(), 0.5, 1e-9);
+        EXPECT_NEAR((a - b).cwiseAbs().maxCoeff(), 0.5, 1e-9);
     }
 }
