@@ -3,24 +3,35 @@
 #include "fit/Fit.h"
 #include "fit/ShadowParts.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
 namespace Lixel {
 namespace {
 
-/// Most that a settled depth changes in one frame, as the logarithm of a ratio, and from which
-/// change on it is not settled at all.
-constexpr double GreatestStep = 0.01;
+/// Most that a settled depth changes in a frame in which nothing moves noticeably, as the logarithm
+/// of a ratio, and how much more for each unit of change. A slice that ends at it follows, and where
+/// shadows end in the slice, what is left of them changes by a dozen times as much: 12 (0.0005 +
+/// 4 x 1e-4), with what the slice's own search may change, is below the 0.02 that a fit may change
+/// when something turns by 1e-4.
+constexpr double SteadyStep = 0.0005;
+constexpr double SteadyGrowth = 4.0;
+
+/// Step from which on a depth is not settled at all.
 constexpr double CutStep = 0.693; // ln 2
 
 /// Least ratio of nearest and farthest: an eye that touches a receiver wants no slice for it.
 constexpr double LeastNearRatio = 1e-4;
 
-constexpr std::size_t Samples = 256;
+/// All that view rays find: the least and the greatest of few would be anywhere.
+constexpr std::size_t Samples = ViewRays::Rounds * ViewRays::Count;
 
 /// Both ends move together: one that jumps may come by the other.
-void settle(double nearest, double farthest, CascadeMemory& memory) {
+void settle(double nearest, double farthest, const Situation& situation, CascadeMemory& memory) {
+    const double greatest = SteadyStep + SteadyGrowth * changeBetween(situation, memory.situation);
+    memory.situation = situation;
     const double nearStep = std::log(nearest / memory.nearest);
     const double farStep = std::log(farthest / memory.farthest);
     // Negated, so that it holds where there was nothing before.
@@ -29,8 +40,8 @@ void settle(double nearest, double farthest, CascadeMemory& memory) {
         memory.farthest = farthest;
         return;
     }
-    memory.nearest *= std::exp(std::clamp(nearStep, -GreatestStep, GreatestStep));
-    memory.farthest *= std::exp(std::clamp(farStep, -GreatestStep, GreatestStep));
+    memory.nearest *= std::exp(std::clamp(nearStep, -greatest, greatest));
+    memory.farthest *= std::exp(std::clamp(farStep, -greatest, greatest));
     memory.nearest = std::min(memory.nearest, memory.farthest);
 }
 
@@ -56,7 +67,9 @@ bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
     }
     nearest = std::max(nearest, LeastNearRatio * farthest);
     if (!(nearest > 0.0) || !std::isfinite(farthest)) return false;
-    settle(nearest, farthest, memory);
+    const Vec3 wsEye = problem.viewer.viewFromWorld.inverse().topRightCorner<3, 1>();
+    const Vec3 viewer = image.oriented(image.lsFromPoint(wsEye));
+    settle(nearest, farthest, situationOf(problem, image, region, viewer), memory);
     return true;
 }
 

@@ -21,19 +21,21 @@ struct CascadeMemory {
     /// What is seen, as settled so far; 0 before.
     double nearest = 0.0;
     double farthest = 0.0;
+    /// For whom that was.
+    Situation situation;
 };
 
 /** Depths in front of the viewer at which slices meet, ascending, in world units.
 
     With followReceivers: between the nearest and the farthest point that the viewer sees of what
-   may be shadowed (Lauritzen et al. 2011, "sample distribution shadow maps", from the fit's few
-   samples instead of all pixels). These depths follow the scene by 1 % a frame, so that what comes
-   into view does not make all edges jump; by more than a factor of 2 at once, as after a camera
-   cut, they are taken as they are.
+    may be shadowed (Lauritzen et al. 2011, "sample distribution shadow maps", from the fit's few
+    samples instead of all pixels). These depths follow the scene little by little, and the faster
+    the more viewer and light move, so that what comes into view does not make all edges jump; by
+    more than a factor of 2 at once, as after a camera cut, they are taken as they are.
 
     @param count slices, at least 1
     @param[out] vsSplits count - 1 depths; none where nothing in view is shadowed, or the view has
-   no end and nothing in it
+    no end and nothing in it
 */
 LIXEL_API void cascadeSplits(const ShadowProblem& problem, int count, const CascadeOptions& options,
                              CascadeMemory& memory, std::vector<double>& vsSplits);

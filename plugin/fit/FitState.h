@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/Situation.h"
 #include "fit/TexelExtent.h"
 
 #include <optional>
@@ -16,12 +17,7 @@ struct SearchMemory {
     /// How far around the target it looks next, and how often it has.
     double step = 0.0;
     int turn = 0;
-    /// Lengths that do not depend on how light space is turned: the focus region's distance from
-    /// the viewer, its perimeter, the farthest depth.
-    Vec3 measures = Vec3::Zero();
-    /// Unit directions of the viewer and of the light's axis.
-    Vec3 wsView = Vec3::Zero();
-    Vec3 wsLight = Vec3::Zero();
+    Situation situation;
 };
 
 /** What outlives a frame, per light, viewer and map: memory of the last choice and scratch space.

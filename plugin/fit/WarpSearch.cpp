@@ -33,32 +33,6 @@ constexpr double AnotherRegion = 0.05;
 /// Vertices of the focus region that the search keeps; the fit itself uses all.
 constexpr std::size_t SearchVertices = 12;
 
-/// What tells whether viewer, light and region are the same as before, however light space is
-/// turned.
-SearchMemory describe(const WarpContext& context) {
-    const FocusRegion& region = context.region;
-    double perimeter = 0.0;
-    for (std::size_t i = 0; i < region.liHull.size(); ++i)
-        perimeter += (region.liHull[(i + 1) % region.liHull.size()] - region.liHull[i]).norm();
-    const Vec3& viewer = context.viewer;
-    const double distance =
-        viewer.z() > 0.0 ? (region.liCentre - viewer.head<2>() / viewer.z()).norm() : 0.0;
-    SearchMemory memory;
-    memory.measures = Vec3(distance, perimeter, region.vsReceiverFar);
-    memory.wsView = -context.problem.viewer.viewFromWorld.row(2).head<3>().stableNormalized();
-    memory.wsLight = context.image.lsFromWs().row(2);
-    return memory;
-}
-
-/// How much has changed: relative for lengths, radians for directions.
-double changeBetween(const SearchMemory& a, const SearchMemory& b) {
-    const double lengths =
-        ((a.measures - b.measures).cwiseAbs().array() /
-         (a.measures + b.measures).cwiseAbs().array().max(std::numeric_limits<double>::min()))
-            .maxCoeff();
-    return std::max({lengths, (a.wsView - b.wsView).norm(), (a.wsLight - b.wsLight).norm()});
-}
-
 /// Greatest change of a denominator's logarithm on the hull, from one warp to another.
 double greatestLogChange(const Polygon2& hull, const Vec2& centre, const Vec2& a, const Vec2& b) {
     double greatest = 0.0;
@@ -91,10 +65,8 @@ Vec2 spreadOfWarp(const Polygon2& hull, const Vec2& centre, const Vec2& warp) {
 }
 
 WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples)
-    : mContext(context),
-      mHull(context.state.simpleHull),
-      mExtent(context.state.extent),
-      mNow(describe(context)) {
+    : mContext(context), mHull(context.state.simpleHull), mExtent(context.state.extent) {
+    mNow.situation = situationOf(context.problem, context.image, context.region, context.viewer);
     FitState& state = context.state;
     const FocusRegion& region = context.region;
     mHull = region.liHull;
@@ -102,7 +74,7 @@ WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples)
     sampleView(context.problem, context.image, mHull, state.scratch.receiversInView, samples,
                state.sampling, state.samples);
     // A camera cut makes it another region, which the last choice has nothing to do with.
-    if (state.search) mChange = changeBetween(mNow, *state.search);
+    if (state.search) mChange = changeBetween(mNow.situation, state.search->situation);
     if (!(mChange < AnotherRegion)) state.search.reset();
     mNow.step = state.search ? state.search->step : FirstStep;
     mNow.turn = state.search ? state.search->turn : 0;

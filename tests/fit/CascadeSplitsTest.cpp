@@ -73,19 +73,41 @@ TEST(CascadeSplits, AreNoneWhereNothingIsToBeSplit) {
     EXPECT_TRUE(splitsOf(endless, 3, {.uniformity = 0.0, .followReceivers = false}).empty());
 }
 
-TEST(CascadeSplits, FollowByOnePercentAFrameAndJumpAfterACut) {
+TEST(CascadeSplits, FollowLittleByLittleAndJumpAfterACut) {
     CascadeMemory memory;
     std::vector<double> splits;
-    cascadeSplits(wallsAt(2.0, 200.0).problem(), 2, {}, memory, splits);
-    ASSERT_EQ(splits.size(), 1U);
-    EXPECT_NEAR(splits[0], 20.0, 1e-6);
-    cascadeSplits(wallsAt(3.0, 200.0).problem(), 2, {}, memory, splits);
-    EXPECT_NEAR(splits[0], 20.0 * std::exp(0.005), 1e-6); // one of the two ends, by 1 %
-    for (int i = 0; i < 100; ++i)
-        cascadeSplits(wallsAt(3.0, 200.0).problem(), 2, {}, memory, splits);
-    EXPECT_NEAR(splits[0], std::sqrt(600.0), 1e-6);
-    cascadeSplits(wallsAt(50.0, 200.0).problem(), 2, {}, memory, splits);
-    EXPECT_NEAR(splits[0], 100.0, 1e-6);
+    const auto split = [&](const Scene& scene) {
+        cascadeSplits(scene.problem(), 2, {}, memory, splits);
+        return splits.size() == 1 ? splits[0] : 0.0;
+    };
+    EXPECT_NEAR(split(wallsAt(2.0, 200.0)), 20.0, 1e-6);
+    double last = 20.0;
+    // The nearer wall is little of the region, which hardly changes.
+    for (int i = 0; i < 1000; ++i) {
+        const double next = split(wallsAt(3.0, 200.0));
+        EXPECT_LE(std::abs(std::log(next / last)), 0.001);
+        last = next;
+    }
+    EXPECT_NEAR(last, std::sqrt(600.0), 1e-6);
+    EXPECT_NEAR(split(wallsAt(50.0, 200.0)), 100.0, 1e-6);
+}
+
+TEST(CascadeSplits, FollowFasterWhileTheViewerTurns) {
+    const auto stepAfter = [](double angle) {
+        CascadeMemory memory;
+        std::vector<double> splits;
+        cascadeSplits(wallsAt(2.0, 200.0).problem(), 2, {}, memory, splits);
+        const double before = splits.at(0);
+        Scene turned = wallsAt(3.0, 200.0);
+        turned.viewer.viewFromWorld =
+            lookAlong(Vec3::Zero(), Vec3(std::sin(angle), 0.0, -std::cos(angle)));
+        cascadeSplits(turned.problem(), 2, {}, memory, splits);
+        return std::log(splits.at(0) / before);
+    };
+    // One of the two ends moves.
+    EXPECT_GT(stepAfter(0.01), 5.0 * stepAfter(1e-4));
+    EXPECT_LT(stepAfter(1e-4), 0.001);
+    EXPECT_GT(stepAfter(1e-4), 0.0);
 }
 
 TEST(CascadeSplits, AscendWhileTheyFollow) {

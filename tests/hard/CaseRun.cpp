@@ -48,19 +48,6 @@ CaseResult judgeFrame(HardScene& scene, const std::vector<ProbedMap>& maps, cons
     return result;
 }
 
-/// Several maps of each light, which OGRE draws under integrated techniques.
-void shareAmong(Ogre::SceneManager& manager, std::size_t maps) {
-    manager.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
-    const std::size_t count = maps * manager.getShadowTextureConfigList().size();
-    for (const auto type :
-         {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT, Ogre::Light::LT_POINT})
-        manager.setShadowTextureCountPerLightType(type, maps);
-    const Ogre::ShadowTextureConfig one = manager.getShadowTextureConfigList().front();
-    manager.setShadowTextureCount(count);
-    for (std::size_t i = 0; i < count; ++i)
-        manager.setShadowTextureConfig(i, one);
-}
-
 } // namespace
 
 const std::vector<Samples::NamedSetup>& judgedSetups() {
@@ -128,7 +115,7 @@ CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
     HardScene scene(stage);
     buildCase(scene, hardCase);
     const std::size_t maps = lixels ? std::max(setup.maps, hardCase.maps) : 1;
-    if (maps > 1) shareAmong(scene.manager(), maps);
+    if (maps > 1) scene.shareAmong(maps);
     MapProbe probe(scene, lixels);
     MapUse use;
     // Lixel's setups clamp where the render system can; OGRE's never do.

@@ -79,6 +79,18 @@ void HardScene::setReach(float distance) {
     manager().setShadowFarDistance(distance * unit);
 }
 
+void HardScene::shareAmong(std::size_t maps) {
+    manager().setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    const std::size_t count = maps * manager().getShadowTextureConfigList().size();
+    for (const auto type :
+         {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT, Ogre::Light::LT_POINT})
+        manager().setShadowTextureCountPerLightType(type, maps);
+    const Ogre::ShadowTextureConfig one = manager().getShadowTextureConfigList().front();
+    manager().setShadowTextureCount(count);
+    for (std::size_t i = 0; i < count; ++i)
+        manager().setShadowTextureConfig(i, one);
+}
+
 void HardScene::sun(const Ogre::Vector3& direction) {
     light->setType(Ogre::Light::LT_DIRECTIONAL);
     light->getParentSceneNode()->setDirection(direction, Ogre::Node::TS_WORLD);

@@ -10,8 +10,8 @@ namespace Lixel::Tests {
 
     Lengths and positions are told in units, relative to `origin`: both can be changed before
     anything is placed, so that the same scene stands far away, or is tiny. Starts as a viewer at
-    (0, 8, 16) who looks at the origin with planes at 0.1 and 1000, shadows that reach 100, and a
-   sun from the right; nothing is in the scene.
+    (0, 8, 16) who looks at the origin with planes at 0.1 and 1000, shadows that reach 100, and
+    a sun from the right; nothing is in the scene.
 */
 class HardScene {
 public:
@@ -39,6 +39,8 @@ public:
     void look(const Ogre::Vector3& eye, const Ogre::Vector3& target);
     void setPlanes(float near, float far);
     void setReach(float distance);
+    /// Gives each light several maps of one size, which OGRE draws under integrated techniques.
+    void shareAmong(std::size_t maps);
     void sun(const Ogre::Vector3& direction);
     /// The same to the last bit, which a node's rotation would not be.
     void sunExactly(const Ogre::Vector3& direction);

@@ -144,17 +144,6 @@ const ProbedCaster* casterAt(const ProbedMap& map, const Vector3d& ws, double di
     return found;
 }
 
-/// The map that a receiver at that point of the world reads.
-const ProbedMap& servingMap(const std::vector<ProbedMap>& maps, const Vector3d& ws) {
-    const auto share = [&](const ProbedMap& map) {
-        return map.wsShare.dot((ws - map.wsBase).homogeneous().transpose());
-    };
-    const ProbedMap* serving = &maps.front();
-    for (const ProbedMap& map : maps)
-        if (share(map) > share(*serving)) serving = &map;
-    return *serving;
-}
-
 bool isServed(const ProbedMap& map, const Vector3d& ws) {
     const Vector4d position = (ws - map.wsFitOrigin).homogeneous();
     return std::all_of(map.wsServed.begin(), map.wsServed.end(),
@@ -191,7 +180,7 @@ Losses judge(HardScene& scene, const std::vector<ProbedMap>& maps, const MapUse&
 
     const double share = 100.0 / static_cast<double>(points.size());
     for (const ShadowedPoint& point : points) {
-        const ProbedMap& map = servingMap(maps, wsOrigin + point.receiver);
+        const ProbedMap& map = maps[servingMap(maps, wsOrigin + point.receiver)];
         if (!hasMap(map.reason)) {
             losses.outside += share;
             continue;

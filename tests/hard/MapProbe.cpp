@@ -76,6 +76,16 @@ Eigen::Matrix4d DrawnMatrix::relativeTo(const Eigen::Vector3d& wsOrigin) const {
     return clipFromBase * baseFromOrigin.matrix();
 }
 
+std::size_t servingMap(const std::vector<ProbedMap>& maps, const Eigen::Vector3d& ws) {
+    const auto share = [&](const ProbedMap& map) {
+        return map.wsShare.dot((ws - map.wsBase).homogeneous().transpose());
+    };
+    std::size_t serving = 0;
+    for (std::size_t i = 1; i < maps.size(); ++i)
+        if (share(maps[i]) > share(maps[serving])) serving = i;
+    return serving;
+}
+
 MapProbe::MapProbe(HardScene& scene, bool lixel) : mScene(scene), mLixel(lixel) {
     // Among no render queues at all: objects are found, and none is drawn.
     scene.manager().setSpecialCaseRenderQueueMode(Ogre::SceneManager::SCRQM_INCLUDE);

@@ -47,6 +47,10 @@ struct ProbedMap {
     int height = 0;                                        ///< texels
 };
 
+/// Which of a light's maps, of which there is one at least, a receiver at that point of the world
+/// reads.
+std::size_t servingMap(const std::vector<ProbedMap>& maps, const Eigen::Vector3d& ws);
+
 /** Keeps the last maps of a scene's light.
 
     @param lixel whether the setup is Lixel's, whose receivers are handed their own matrix; those of

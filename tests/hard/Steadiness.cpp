@@ -30,17 +30,21 @@ constexpr int SettlingFrames = 3;
 /// What is seen or lit flatter than this is not measured.
 constexpr double LeastCosine = 0.05;
 
-/// The viewer's, the light's and the map's side of one frame.
+/// The viewer's, the light's and the maps' side of one frame.
 struct Frame {
     OracleView view;
     Vector3d wsEye;
     OracleLight light;
-    std::optional<ProbedMap> map;
-    ShadowFit fit;
+    std::vector<ProbedMap> maps;
+    /// Of each of them, as it is drawn with: positions are relative to the world's origin here.
+    std::vector<ShadowFit> fits;
+
+    bool hasMap() const { return std::ranges::any_of(fits, &ShadowFit::hasMap); }
 };
 
 /// What one point has in one frame.
 struct PointInMap {
+    std::size_t map;   ///< which of the light's maps it reads
     double logTexel;   ///< ln m
     double logDensity; ///< of texels on the surface, up to a constant of the point
     /// Gradients of the map's coordinates: across the lines of its texel grid.
@@ -52,20 +56,20 @@ OracleView viewOf(HardScene& scene, int width, int height) {
     return oracleView(scene.viewer(), width, height, reach);
 }
 
-/// @param maps of the frame: one, or none where the setup gave none
+/// @param maps of the frame: none where the setup was not asked for any
 Frame frameOf(HardScene& scene, const std::vector<ProbedMap>& maps) {
     Frame frame{.view = viewOf(scene, Width, Height),
                 .wsEye = {},
                 .light = oracleLight(*scene.light),
-                .map = {},
-                .fit = {}};
+                .maps = maps,
+                .fits = {}};
     frame.wsEye = -frame.view.vsFromWs.topLeftCorner<3, 3>().transpose() *
                   frame.view.vsFromWs.topRightCorner<3, 1>();
-    if (maps.empty()) return frame;
-    frame.map = maps.front();
-    frame.fit.reason = frame.map->reason;
-    // As it is drawn with: positions are relative to the world's origin here.
-    frame.fit.clipFromWorld = frame.map->receivers.relativeTo(Vector3d::Zero());
+    for (const ProbedMap& map : maps) {
+        ShadowFit& fit = frame.fits.emplace_back();
+        fit.reason = map.reason;
+        fit.clipFromWorld = map.receivers.relativeTo(Vector3d::Zero());
+    }
     return frame;
 }
 
@@ -83,13 +87,16 @@ std::optional<PointInMap> pointIn(const Frame& frame, const SurfacePoint& point)
     const auto inside = [](const Eigen::Vector4d& clip) {
         return clip.w() > 0.0 && std::abs(clip.x()) <= clip.w() && std::abs(clip.y()) <= clip.w();
     };
-    const Eigen::Matrix4d& map = frame.fit.clipFromWorld;
+    const std::size_t serving = servingMap(frame.maps, point.position);
+    const ShadowFit& fit = frame.fits[serving];
+    if (!fit.hasMap()) return std::nullopt;
+    const Eigen::Matrix4d& map = fit.clipFromWorld;
     const Eigen::Vector4d clip = map * point.position.homogeneous();
     if (!inside(frame.view.clipFromVs * frame.view.vsFromWs * point.position.homogeneous()) ||
         !inside(clip))
         return std::nullopt;
     const auto m =
-        texelInPixels(frame.fit, Vec2(frame.map->width, frame.map->height),
+        texelInPixels(fit, Vec2(frame.maps[serving].width, frame.maps[serving].height),
                       {.viewFromWorld = frame.view.vsFromWs, .clipFromView = frame.view.clipFromVs},
                       Vec2(Width, Height), point.position, point.normal);
     if (!m || !std::isfinite(*m)) return std::nullopt;
@@ -98,7 +105,8 @@ std::optional<PointInMap> pointIn(const Frame& frame, const SurfacePoint& point)
     };
     const Vector3d u = gradient(0);
     const Vector3d v = gradient(1);
-    return PointInMap{std::log(*m),
+    return PointInMap{serving,
+                      std::log(*m),
                       std::log(std::abs(point.normal.dot(u.cross(v)))),
                       {u.normalized(), v.normalized()}};
 }
@@ -133,9 +141,12 @@ public:
     void add(int number, const Frame& frame) {
         mAfter.clear();
         for (const SurfacePoint& point : mPoints)
-            mAfter.push_back(frame.fit.hasMap() ? pointIn(frame, point) : std::nullopt);
-        if (!frame.fit.hasMap()) ++mResult.framesWithoutMap;
-        if (!mBefore.empty()) compare(number);
+            mAfter.push_back(frame.hasMap() ? pointIn(frame, point) : std::nullopt);
+        if (!frame.hasMap()) ++mResult.framesWithoutMap;
+        // What changes from one map to another does so at an edge that materials know of.
+        if (!mBefore.empty())
+            for (std::size_t map = 0; map < frame.maps.size(); ++map)
+                compare(number, map);
         std::swap(mBefore, mAfter);
     }
 
@@ -146,12 +157,13 @@ public:
     }
 
 private:
-    void compare(int number) {
+    void compare(int number, std::size_t map) {
         double greatest = 0.0;
         mTurns.clear();
         mGains.clear();
         for (std::size_t i = 0; i < mPoints.size(); ++i) {
             if (!mBefore[i] || !mAfter[i]) continue;
+            if (mBefore[i]->map != map || mAfter[i]->map != map) continue;
             const double change = std::abs(mAfter[i]->logTexel - mBefore[i]->logTexel);
             greatest = std::max(greatest, change);
             mAll.push_back(change);
@@ -194,6 +206,7 @@ Steadiness runSweep(Stage& stage, const Sweep& sweep, const NamedSetup& setup,
                     const SweepOptions& options) {
     stage.setShadowSetup(setup.create());
     HardScene scene(stage);
+    if (setup.maps > 1) scene.shareAmong(setup.maps);
     sweep.build(scene);
     sweep.turn(scene, 0.0);
     MapProbe probe(scene, isLixels(setup));

@@ -19,7 +19,7 @@ struct SweepOptions {
 /** How steady a map is along a sweep.
 
     ln m, the logarithm of a texel's largest extent in pixels, is compared between successive frames
-    at points that both frames see, light (n.l, n.v >= 0.05) and have in their maps.
+    at points that both frames see, light (n.l, n.v >= 0.05) and have in the same one of their maps.
     @see fit/TexelInPixels.h
 */
 struct Steadiness {
@@ -27,8 +27,8 @@ struct Steadiness {
     double greatestSteady = 0.0; ///< the same without frames in which the orientation jumps
     double percentile99 = 0.0;   ///< of all points' and frames' changes
     int greatestFrame = 0;       ///< of greatestSteady
-    int unsteadyFrames = 0;      ///< that change by more than MostChange without a jump
-    int jumps = 0;               ///< frames in which the map's axes turn
+    int unsteadyFrames = 0;      ///< maps that change by more than MostChange without a jump
+    int jumps = 0;               ///< maps whose axes turn in a frame
     /// Share of the map's area that a jump saves, the least of all of them; infinite without any.
     double leastGain = std::numeric_limits<double>::infinity();
     int framesWithoutMap = 0;

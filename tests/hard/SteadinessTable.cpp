@@ -49,13 +49,12 @@ std::vector<const T*> chosen(const std::vector<T>& all, const std::vector<std::s
     return found;
 }
 
-/// All of one map but those that are made for a plane exactly, or are another one with one split.
+/// All but those that are made for a plane exactly, or are another one with one split.
 std::vector<Samples::NamedSetup> sweptSetups(bool lixelsOnly) {
     std::vector<Samples::NamedSetup> setups;
     for (const Samples::NamedSetup& setup : judgedSetups())
-        if (setup.maps == 1 && setup.name != "PlaneOptimal-Exact" &&
-            setup.name != "Ogre-PlaneOptimal" && setup.name != "Ogre-PSSM" &&
-            (!lixelsOnly || isLixels(setup)))
+        if (setup.name != "PlaneOptimal-Exact" && setup.name != "Ogre-PlaneOptimal" &&
+            setup.name != "Ogre-PSSM" && (!lixelsOnly || isLixels(setup)))
             setups.push_back(setup);
     return setups;
 }
@@ -117,8 +116,9 @@ nlohmann::json toJson(const Sweep& sweep, const Cell& cell) {
 bool isSteady(const Cell& cell) {
     return cell.failure.empty() && cell.steadiness.measured > 0 &&
            cell.steadiness.framesWithoutMap == 0 && cell.steadiness.greatestSteady <= MostChange &&
-           // Beside what the same frame changes anyway.
-           cell.steadiness.leastGain >= LeastGain - MostChange;
+           // Beside what the same frame changes anyway. Bodies come into slices of the view, and
+           // leave them, all the time: what that makes of the map's area is not the jump's.
+           (cell.setup->maps > 1 || cell.steadiness.leastGain >= LeastGain - MostChange);
 }
 
 /// Sums up each setup's column.
