@@ -84,7 +84,6 @@ bool fills(const BodyHull& hull, const Ogre::AxisAlignedBox& bounds) {
 
 /// The hull of all vertices; empty where one of them may not stay where it is.
 BodyHull readHull(const Ogre::Mesh& mesh) {
-    if (mesh.hasManualLodLevel()) return {};
     std::vector<Vec3> positions;
     bool fixed = true;
     const Ogre::VertexData* last = nullptr;
@@ -167,8 +166,10 @@ const SurfaceCloud* MeshShapes::cloudOf(const Ogre::Entity& entity) {
 
 const BodyHull* MeshShapes::hullOf(const Ogre::Entity& entity) {
     Entry* const entry = find(entity);
-    if (entry == nullptr || entry->bounds != entity.getMesh()->getBounds()) return nullptr;
-    const BodyHull& hull = readOnce(entry->hull, *entity.getMesh(), readHull);
+    if (entry == nullptr) return nullptr;
+    const Ogre::Mesh& mesh = *entity.getMesh();
+    if (entry->bounds != mesh.getBounds() || mesh.hasManualLodLevel()) return nullptr;
+    const BodyHull& hull = readOnce(entry->hull, mesh, readHull);
     return hull.empty() || mayMoveVertices(entity) ? nullptr : &hull;
 }
 

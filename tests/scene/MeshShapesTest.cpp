@@ -8,6 +8,8 @@
 #include <OgreMeshManager.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
+#include <OgreSkeleton.h>
+#include <OgreSkeletonManager.h>
 
 namespace Lixel::Tests {
 namespace {
@@ -38,8 +40,8 @@ protected:
         return plank;
     }
 
-    /// An entity of its own mesh, the unit cube, with a mesh of that name.
-    Ogre::Entity* addOwnCube(const std::string& name, bool dynamic) {
+    /// A mesh of that name, the unit cube.
+    Ogre::MeshPtr makeCube(const std::string& name, bool dynamic = false) {
         Ogre::ManualObject* drawn = mManager->createManualObject();
         drawn->setDynamic(dynamic);
         drawn->begin(flatMaterial(true), Ogre::RenderOperation::OT_TRIANGLE_LIST);
@@ -56,9 +58,14 @@ protected:
         drawn->end();
         mMeshes.push_back(drawn->convertToMesh(name));
         mManager->destroyManualObject(drawn);
-        Ogre::Entity* const cube = mManager->createEntity(mMeshes.back());
+        return mMeshes.back();
+    }
+
+    /// A plank of that mesh.
+    Ogre::Entity* addPlankOf(const Ogre::MeshPtr& mesh) {
+        Ogre::Entity* const cube = mManager->createEntity(mesh);
         mRootNode->createChildSceneNode()->attachObject(cube);
-        return cube;
+        return addPlank(cube);
     }
 
     ~HullsTest() override {
@@ -117,7 +124,7 @@ TEST_P(HullsTest, AreNotOfWhatFillsItsBox) {
 }
 
 TEST_P(HullsTest, AreOfMeshesThatApplicationsMake) {
-    addPlank(addOwnCube("own", false));
+    addPlankOf(makeCube("own"));
     EXPECT_NE(hull(), nullptr);
 }
 
@@ -128,23 +135,58 @@ TEST_P(HullsTest, AreNotOfWhatAVertexProgramMayMove) {
 
 /// Its next shape may go beyond this one's.
 TEST_P(HullsTest, AreNotOfMeshesThatAreRewritten) {
-    addPlank(addOwnCube("rewritten", true));
+    addPlankOf(makeCube("rewritten", true));
     EXPECT_EQ(hull(), nullptr);
 }
 
 /// A vertex program that moves vertices has bounds that hold what it makes.
 TEST_P(HullsTest, AreNotOfMeshesWithLargerBoundsThanTheirVertices) {
-    Ogre::Entity* const cube = addOwnCube("waving", false);
-    cube->getMesh()->_setBounds(Ogre::AxisAlignedBox(-0.5f, -0.5f, -0.5f, 0.5f, 0.6f, 0.5f));
-    addPlank(cube);
+    const Ogre::MeshPtr mesh = makeCube("waving");
+    mesh->_setBounds(Ogre::AxisAlignedBox(-0.5f, -0.5f, -0.5f, 0.5f, 0.6f, 0.5f));
+    addPlankOf(mesh);
     EXPECT_EQ(hull(), nullptr);
 }
 
 TEST_P(HullsTest, AreNotOfMeshesThatGotOtherBounds) {
-    Ogre::Entity* const cube = addOwnCube("grown", false);
-    addPlank(cube);
+    const Ogre::MeshPtr mesh = makeCube("grown");
+    addPlankOf(mesh);
     EXPECT_NE(hull(), nullptr);
-    cube->getMesh()->_setBounds(Ogre::AxisAlignedBox(-0.5f, -0.5f, -0.5f, 0.5f, 0.6f, 0.5f));
+    mesh->_setBounds(Ogre::AxisAlignedBox(-0.5f, -0.5f, -0.5f, 0.5f, 0.6f, 0.5f));
+    EXPECT_EQ(hull(), nullptr);
+}
+
+/// A level of detail that was made by hand may be of any shape.
+TEST_P(HullsTest, AreNotOfMeshesWithManualLevelsOfDetail) {
+    const Ogre::MeshPtr mesh = makeCube("near");
+    addPlankOf(mesh);
+    EXPECT_NE(hull(), nullptr);
+    mesh->_setLodInfo(2);
+    Ogre::MeshLodUsage far;
+    far.userValue = 100;
+    far.value = 100;
+    far.manualName = "far";
+    mesh->_setLodUsage(1, far);
+    EXPECT_EQ(hull(), nullptr);
+}
+
+TEST_P(HullsTest, AreNotOfWhatHasASkeleton) {
+    Ogre::SkeletonPtr skeleton =
+        Ogre::SkeletonManager::getSingleton().create("bones", Ogre::RGN_DEFAULT, true);
+    skeleton->createBone();
+    skeleton->setBindingPose();
+    const Ogre::MeshPtr mesh = makeCube("boned");
+    mesh->_notifySkeleton(skeleton);
+    const Ogre::Entity* const plank = addPlankOf(mesh);
+    ASSERT_TRUE(plank->hasSkeleton());
+    EXPECT_EQ(hull(), nullptr);
+    Ogre::SkeletonManager::getSingleton().remove(skeleton->getHandle());
+}
+
+TEST_P(HullsTest, AreNotOfWhatMorphs) {
+    const Ogre::MeshPtr mesh = makeCube("morphing");
+    mesh->createAnimation("swell", 1);
+    const Ogre::Entity* const plank = addPlankOf(mesh);
+    ASSERT_TRUE(plank->hasVertexAnimation());
     EXPECT_EQ(hull(), nullptr);
 }
 
