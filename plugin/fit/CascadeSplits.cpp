@@ -3,45 +3,60 @@
 #include "fit/Fit.h"
 #include "fit/ShadowParts.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Lixel {
 namespace {
 
 /// Most that a settled depth changes in a frame in which nothing moves noticeably, as the logarithm
-/// of a ratio, and how much more for each unit of change. A slice that ends at it follows, and where
-/// shadows end in the slice, what is left of them changes by a dozen times as much: 12 (0.0005 +
-/// 4 x 1e-4), with what the slice's own search may change, is below the 0.02 that a fit may change
-/// when something turns by 1e-4.
+/// of a ratio, and how much more for each unit of change. Texels of a slice whose edge moves change
+/// by four times as much, or by a dozen times where shadows end near the edge, as was measured:
+/// with what the slice's own search may change they stay below the 0.02 that a fit may change when
+/// something turns by 1e-4.
 constexpr double SteadyStep = 0.0005;
 constexpr double SteadyGrowth = 4.0;
 
-/// Step from which on a depth is not settled at all.
+/// Most that it changes in any frame while it follows: a factor of two takes a quarter of a second.
+constexpr double GreatestStep = 0.05;
+
+/// What is farther from it than this, as by a camera cut, is not followed but taken at once.
 constexpr double CutStep = 0.693; // ln 2
 
 /// Least ratio of nearest and farthest: an eye that touches a receiver wants no slice for it.
 constexpr double LeastNearRatio = 1e-4;
 
 /// All that view rays find: the least and the greatest of few would be anywhere.
-constexpr std::size_t Samples = ViewRays::Rounds * ViewRays::Count;
+constexpr std::size_t AllSamples = ViewRays::Rounds * ViewRays::Count;
 
-/// Both ends move together: one that jumps may come by the other.
-void settle(double nearest, double farthest, const Situation& situation, CascadeMemory& memory) {
-    const double greatest = SteadyStep + SteadyGrowth * changeBetween(situation, memory.situation);
-    memory.situation = situation;
+CascadeView viewOf(const ShadowProblem& problem, const LightImage& image,
+                   const FocusRegion& region) {
+    return {situationOf(problem, image, region), problem.wsOrigin + wsEyeOf(problem.viewer),
+            region.vsReceiverNear};
+}
+
+/// Has the depths follow what is seen now.
+void settle(double nearest, double farthest, const CascadeView& view, CascadeMemory& memory) {
+    const CascadeView before = std::exchange(memory.view, view);
+    const double moved = (view.wsEye - before.wsEye).norm() / memory.nearest;
     const double nearStep = std::log(nearest / memory.nearest);
     const double farStep = std::log(farthest / memory.farthest);
-    // Negated, so that it holds where there was nothing before.
-    if (!(std::abs(nearStep) <= CutStep) || !(std::abs(farStep) <= CutStep)) {
+    // False where there was nothing before.
+    const bool follows = std::abs(nearStep) <= CutStep && std::abs(farStep) <= CutStep &&
+                         moved < 1.0 &&
+                         turnBetween(view.situation, before.situation) < AnotherSituation;
+    if (!follows) {
         memory.nearest = nearest;
         memory.farthest = farthest;
         return;
     }
-    memory.nearest *= std::exp(std::clamp(nearStep, -greatest, greatest));
-    memory.farthest *= std::exp(std::clamp(farStep, -greatest, greatest));
+    const double change = std::max({moved, changeBetween(view.situation, before.situation),
+                                    relativeChange(view.vsReceiverNear, before.vsReceiverNear)});
+    const double step = std::min(SteadyStep + SteadyGrowth * change, GreatestStep);
+    memory.nearest *= std::exp(std::clamp(nearStep, -step, step));
+    memory.farthest *= std::exp(std::clamp(farStep, -step, step));
+    // One that is far from what is seen may come by the other.
     memory.nearest = std::min(memory.nearest, memory.farthest);
 }
 
@@ -53,8 +68,8 @@ bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
     const LightImage image(problem.light);
     findFocusRegion(problem, image, state.scratch, region);
     if (!hasMap(region.reason)) return false;
-    sampleView(problem, image, region.liHull, state.scratch.receiversInView, Samples,
-               state.sampling, state.samples);
+    sampleView(problem, image, region.liHull, state.scratch.receiversInView,
+               {.most = AllSamples, .enough = AllSamples}, state.sampling, state.samples);
     double nearest = region.vsReceiverNear;
     double farthest = region.vsReceiverFar;
     if (!state.samples.empty()) {
@@ -67,9 +82,7 @@ bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
     }
     nearest = std::max(nearest, LeastNearRatio * farthest);
     if (!(nearest > 0.0) || !std::isfinite(farthest)) return false;
-    const Vec3 wsEye = problem.viewer.viewFromWorld.inverse().topRightCorner<3, 1>();
-    const Vec3 viewer = image.oriented(image.lsFromPoint(wsEye));
-    settle(nearest, farthest, situationOf(problem, image, region, viewer), memory);
+    settle(nearest, farthest, viewOf(problem, image, region), memory);
     return true;
 }
 

@@ -15,23 +15,32 @@ struct CascadeOptions {
     bool followReceivers = true;
 };
 
+/// What tells how much may have changed in what is seen since the frame before.
+struct CascadeView {
+    Situation situation;
+    /// In the world.
+    Vec3 wsEye = Vec3::Zero();
+    /// The depth from which on there are receivers, hidden ones too.
+    double vsReceiverNear = 0.0;
+};
+
 /// The depths between which slices lie.
 struct CascadeMemory {
     FitState state;
     /// What is seen, as settled so far; 0 before.
     double nearest = 0.0;
     double farthest = 0.0;
-    /// For whom that was.
-    Situation situation;
+    CascadeView view;
 };
 
 /** Depths in front of the viewer at which slices meet, ascending, in world units.
 
     With followReceivers: between the nearest and the farthest point that the viewer sees of what
     may be shadowed (Lauritzen et al. 2011, "sample distribution shadow maps", from the fit's few
-    samples instead of all pixels). These depths follow the scene little by little, and the faster
-    the more viewer and light move, so that what comes into view does not make all edges jump; by
-    more than a factor of 2 at once, as after a camera cut, they are taken as they are.
+    samples instead of all pixels). These depths follow little by little, the faster the more
+    changes in a frame: so what comes into view, or is no longer hidden, does not make all edges
+    jump. After a camera cut, and where they are more than a factor of two from what is seen, they
+    are taken as they are.
 
     @param count slices, at least 1
     @param[out] vsSplits count - 1 depths; none where nothing in view is shadowed, or the view has

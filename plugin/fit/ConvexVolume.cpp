@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace Lixel {
@@ -57,6 +58,7 @@ void cutOff(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch
             vertices.push_back(begin + t * (end - begin));
             edge.vertices[outsideA ? 0 : 1] = cut;
             for (const std::uint32_t face : edge.faces) {
+                assert(face < newFace);
                 std::uint32_t& last = scratch.lastCut[face];
                 scratch.cuts.push_back({face, cut, last});
                 last = static_cast<std::uint32_t>(scratch.cuts.size() - 1);
@@ -123,6 +125,10 @@ ConvexVolume viewVolume(const ShadowViewer& viewer) {
         }
     }
     return volume;
+}
+
+Vec3 wsEyeOf(const ShadowViewer& viewer) {
+    return viewer.viewFromWorld.inverse().topRightCorner<3, 1>();
 }
 
 Mat4 withDepthAhead(const Mat4& clipFromView) {

@@ -41,10 +41,13 @@ private:
 
 /** What the viewer sees: the planes of its clip volume and of the shadow distance.
 
-    @param clipFromWorld product of the viewer's matrices; planes by Gribb and Hartmann's rows
-    (w ± x, w ± y, w ± z). Holds for off-axis and oblique projections, and without a far plane.
+    Planes by Gribb and Hartmann's rows (w ± x, w ± y, w ± z) of the product of the viewer's
+    matrices. Holds for off-axis and oblique projections, and without a far plane.
 */
 ConvexVolume viewVolume(const ShadowViewer& viewer);
+
+/// Where the viewer is, in world axes relative to the problem's origin.
+Vec3 wsEyeOf(const ShadowViewer& viewer);
 
 /// The projection with clip z turned about where it falls with depth (reversed Z): what comes first
 /// along a ray of the view has the lesser z then, whatever a depth buffer is to hold.
@@ -89,7 +92,7 @@ void clipBox(const Box& box, const ConvexVolume& volume, ClipScratch& scratch,
              std::vector<Vec3>& points);
 
 /** The same of the body whose vertices and edges are in the scratch memory.
-    @param faces how many it has, which its edges are numbered by */
+    @param faces how many it has; those that its edges are between are less */
 void clipEdges(const ConvexVolume& volume, std::uint32_t faces, ClipScratch& scratch,
                std::vector<Vec3>& points);
 

@@ -41,6 +41,12 @@ using FourVectors = std::array<Four, 3>;
     result = a > b ? a : b;
 }
 
+/// A vector of four numbers, to be broadcast one by one.
+template <typename Vector>
+std::array<double, 4> parts(const Vector& v) {
+    return {v[0], v[1], v[2], v[3]};
+}
+
 /// The lanes of a mask, or the signs of any lanes, as bits.
 [[gnu::always_inline]] inline unsigned bitsOf(const FourMask& mask) {
 #ifdef __SSE2__

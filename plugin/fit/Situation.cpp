@@ -6,10 +6,11 @@
 namespace Lixel {
 
 Situation situationOf(const ShadowProblem& problem, const LightImage& image,
-                      const FocusRegion& region, const Vec3& viewer) {
+                      const FocusRegion& region) {
     double perimeter = 0.0;
     for (std::size_t i = 0; i < region.liHull.size(); ++i)
         perimeter += (region.liHull[(i + 1) % region.liHull.size()] - region.liHull[i]).norm();
+    const Vec3 viewer = image.oriented(image.lsFromPoint(wsEyeOf(problem.viewer)));
     const double distance =
         viewer.z() > 0.0 ? (region.liCentre - viewer.head<2>() / viewer.z()).norm() : 0.0;
     return {Vec3(distance, perimeter, region.vsReceiverFar),
@@ -17,12 +18,19 @@ Situation situationOf(const ShadowProblem& problem, const LightImage& image,
             image.lsFromWs().row(2)};
 }
 
+double relativeChange(double a, double b) {
+    return std::abs(a - b) / std::max(std::abs(a + b), std::numeric_limits<double>::min());
+}
+
+double turnBetween(const Situation& a, const Situation& b) {
+    return std::max((a.wsView - b.wsView).norm(), (a.wsLight - b.wsLight).norm());
+}
+
 double changeBetween(const Situation& a, const Situation& b) {
-    const double lengths =
-        ((a.measures - b.measures).cwiseAbs().array() /
-         (a.measures + b.measures).cwiseAbs().array().max(std::numeric_limits<double>::min()))
-            .maxCoeff();
-    return std::max({lengths, (a.wsView - b.wsView).norm(), (a.wsLight - b.wsLight).norm()});
+    double change = turnBetween(a, b);
+    for (Eigen::Index i = 0; i < 3; ++i)
+        change = std::max(change, relativeChange(a.measures[i], b.measures[i]));
+    return change;
 }
 
 } // namespace Lixel

@@ -15,11 +15,19 @@ struct Situation {
     Vec3 wsLight = Vec3::Zero();
 };
 
-/// @param viewer ℓ of the viewer's position
 Situation situationOf(const ShadowProblem& problem, const LightImage& image,
-                      const FocusRegion& region, const Vec3& viewer);
+                      const FocusRegion& region);
 
-/// How much has changed from one to the other: relative for lengths, radians for directions.
+/// By how much one length differs from the other: their difference by their sum.
+double relativeChange(double a, double b);
+
+/// How far viewer or light have turned, in radians.
+double turnBetween(const Situation& a, const Situation& b);
+
+/// The same, or how much one of the lengths has changed.
 double changeBetween(const Situation& a, const Situation& b);
+
+/// Change from which on it is another situation, as after a camera cut.
+inline constexpr double AnotherSituation = 0.05;
 
 } // namespace Lixel

@@ -55,8 +55,7 @@ WarpChoice warpOfASun(const WarpContext& context, const TrapezoidalOptions& opti
 
     // The centre line and the trapezoid's top and base line; the region is inside but for rounding.
     const Vec2 along = liFar - liEye;
-    const Mat4 worldFromView = context.problem.viewer.viewFromWorld.inverse();
-    const double axis = (wsFarCentre - worldFromView.topRightCorner<3, 1>()).norm();
+    const double axis = (wsFarCentre - wsEyeOf(context.problem.viewer)).norm();
     if (!(along.norm() > 0.0) || !(axis > 0.0)) return {Vec2::Zero(), FitReason::LightAlongView};
     const double sine = along.norm() / axis;
     const Vec2 direction = along.normalized();

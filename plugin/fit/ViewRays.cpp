@@ -67,10 +67,6 @@ void placeRays(Rays& rays) {
         }
 }
 
-std::array<double, 4> parts(const Vec4& v) {
-    return {v.x(), v.y(), v.z(), v.w()};
-}
-
 } // namespace
 
 void ViewRays::cast(const Mat4& clipFromWorld, std::size_t round) {

@@ -32,10 +32,6 @@ struct Judgement {
     std::span<const Vec2> liHull;
 };
 
-std::array<double, 4> parts(const Vec4& v) {
-    return {v.x(), v.y(), v.z(), v.w()};
-}
-
 Judgement judgementOf(const ShadowProblem& problem, const LightImage& image,
                       const Polygon2& liHull) {
     Mat4 lsFromWs = Mat4::Identity();
@@ -91,7 +87,7 @@ struct FourSamples {
 
 /** Makes samples of four points.
     @return the lanes, as bits, of those that the light may shine on from their front, and shadows
-   be cast on */
+    be cast on */
 LIXEL_VECTOR_CLONES
 unsigned judge(const Judgement& judgement, const Points& points, std::size_t first,
                FourSamples& samples) {
@@ -180,14 +176,13 @@ unsigned judge(const Judgement& judgement, const Points& points, std::size_t fir
 /// Collects samples of points until there are enough.
 class Collector {
 public:
-    Collector(const Judgement& judgement, std::size_t most, std::vector<ViewSample>& samples)
-        : mJudgement(judgement), mMost(most), mSamples(samples) {
+    Collector(const Judgement& judgement, std::size_t wanted, std::vector<ViewSample>& samples)
+        : mJudgement(judgement), mWanted(wanted), mSamples(samples) {
         samples.clear();
     }
 
-    bool complete() const { return mSamples.size() >= mMost; }
-    /// Is content with half as many from now on.
-    void halve() { mMost = (mMost + 1) / 2; }
+    bool complete() const { return mSamples.size() >= mWanted; }
+    void want(std::size_t samples) { mWanted = samples; }
 
     void add(const VisiblePoint& point) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -219,7 +214,7 @@ private:
     }
 
     const Judgement& mJudgement;
-    std::size_t mMost;
+    std::size_t mWanted;
     std::vector<ViewSample>& mSamples;
     Points mPoints{};
     std::size_t mCount = 0;
@@ -259,7 +254,8 @@ void placeDiscs(std::span<const KnownSurface> surfaces, std::vector<Surfel>& dis
 /// Collects what view rays see of the receivers: of their known surfaces, and of the boxes of all
 /// others.
 void traceReceivers(const ShadowProblem& problem, const LightImage& image,
-                    const BoxSet& receiversInView, SampleScratch& scratch, Collector& collector) {
+                    const BoxSet& receiversInView, std::size_t enough, SampleScratch& scratch,
+                    Collector& collector) {
     const Mat4 clipFromWorld =
         withDepthAhead(problem.viewer.clipFromView) * problem.viewer.viewFromWorld;
     placeDiscs(problem.surfaces, scratch.discs);
@@ -281,20 +277,20 @@ void traceReceivers(const ShadowProblem& problem, const LightImage& image,
             return !collector.complete();
         });
         collector.flush();
-        // As many again are not worth another round of rays.
-        if (round == 0) collector.halve();
+        collector.want(enough);
     }
 }
 
 } // namespace
 
 void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
-                const BoxSet& receiversInView, std::size_t most, SampleScratch& scratch,
+                const BoxSet& receiversInView, const SampleCount& count, SampleScratch& scratch,
                 std::vector<ViewSample>& samples) {
     const Judgement judgement = judgementOf(problem, image, liHull);
-    Collector collector(judgement, most, samples);
+    Collector collector(judgement, count.most, samples);
     const std::span<const VisiblePoint> points = problem.visiblePoints;
-    if (points.empty()) return traceReceivers(problem, image, receiversInView, scratch, collector);
+    if (points.empty())
+        return traceReceivers(problem, image, receiversInView, count.enough, scratch, collector);
     visitSpread(points.size(), [&](std::size_t i) {
         collector.add(points[i]);
         return !collector.complete();

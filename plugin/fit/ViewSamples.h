@@ -16,6 +16,13 @@ struct ViewSample {
     Eigen::Matrix2d ndcFromLi = Eigen::Matrix2d::Identity();
 };
 
+/// How many samples are wanted.
+struct SampleCount {
+    std::size_t most;
+    /// So many that another round of rays is not worth its time; at most `most`.
+    std::size_t enough;
+};
+
 /// Scratch memory of sampling, kept between frames.
 struct SampleScratch {
     ViewRays rays;
@@ -32,15 +39,14 @@ struct SampleScratch {
 
     Where there are more points than wanted, they are taken in an order of which each beginning is
     spread over all of them, until there are enough: so one that comes or goes changes few samples.
-    Of what a first round of rays sees too little of, half as many samples are enough.
+    A further round of rays goes on until there are as many as are enough.
 
     @param liHull of the focus region, or a little more; samples lie within it
     @param receiversInView the receivers that may be in view and lit, as the focus region's search
     left them
-    @param most samples to keep
 */
 void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
-                const BoxSet& receiversInView, std::size_t most, SampleScratch& scratch,
+                const BoxSet& receiversInView, const SampleCount& count, SampleScratch& scratch,
                 std::vector<ViewSample>& samples);
 
 } // namespace Lixel

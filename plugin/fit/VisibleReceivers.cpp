@@ -54,8 +54,7 @@ void VisibleReceivers::add(const Box& box, std::size_t index) {
 }
 
 void VisibleReceivers::addClipped(const Box& box) {
-    mScratch.wsPoints.clear();
-    clipBox(box, mSeen, mScratch.clip, mScratch.wsPoints);
+    PlacedHull(nullptr, 0).clip(box, mSeen, mScratch);
     addPoints();
 }
 

@@ -27,9 +27,6 @@ constexpr double ClearGain = 0.1;
 constexpr double SteadyStep = 0.004;
 constexpr double SteadyGrowth = WarpSearch::GreatestSpread;
 
-/// Change from which on the region is another one, as after a camera cut.
-constexpr double AnotherRegion = 0.05;
-
 /// Vertices of the focus region that the search keeps; the fit itself uses all.
 constexpr std::size_t SearchVertices = 12;
 
@@ -66,16 +63,16 @@ Vec2 spreadOfWarp(const Polygon2& hull, const Vec2& centre, const Vec2& warp) {
 
 WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples)
     : mContext(context), mHull(context.state.simpleHull), mExtent(context.state.extent) {
-    mNow.situation = situationOf(context.problem, context.image, context.region, context.viewer);
+    mNow.situation = situationOf(context.problem, context.image, context.region);
     FitState& state = context.state;
     const FocusRegion& region = context.region;
     mHull = region.liHull;
     simplifyOutward(mHull, SearchVertices);
-    sampleView(context.problem, context.image, mHull, state.scratch.receiversInView, samples,
-               state.sampling, state.samples);
+    sampleView(context.problem, context.image, mHull, state.scratch.receiversInView,
+               {.most = samples, .enough = (samples + 1) / 2}, state.sampling, state.samples);
     // A camera cut makes it another region, which the last choice has nothing to do with.
     if (state.search) mChange = changeBetween(mNow.situation, state.search->situation);
-    if (!(mChange < AnotherRegion)) state.search.reset();
+    if (!(mChange < AnotherSituation)) state.search.reset();
     mNow.step = state.search ? state.search->step : FirstStep;
     mNow.turn = state.search ? state.search->turn : 0;
     if (state.samples.empty()) return;

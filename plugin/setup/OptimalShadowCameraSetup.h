@@ -14,7 +14,8 @@ public:
         return std::make_shared<OptimalShadowCameraSetup>();
     }
 
-    /// Points of the picture by which warps are judged, at most. Default 64.
+    /// Points of the picture by which warps are judged, at most; about half as many where shadows
+    /// fill little of it. Default 64.
     /// @throws Ogre::InvalidParametersException unless in 1 to 4096.
     void setSamples(int samples);
     int getSamples() const { return mOptions.samples; }

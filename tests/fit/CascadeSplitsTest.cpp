@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -32,6 +33,42 @@ Scene wallsAt(double nearer, double farther) {
     scene.receivers.add({Vec3(0.0, 0.0, -farther), Vec3(farther, farther, 0.0)});
     scene.casters.add({Vec3(0.0, 0.0, 5.0), Vec3(2000.0, 2000.0, 0.1)});
     return scene;
+}
+
+/// Splits into two of one viewer, from frame to frame.
+class Following {
+public:
+    /// @return where the two slices meet
+    double split(const ShadowProblem& problem) {
+        cascadeSplits(problem, 2, {}, mMemory, mSplits);
+        return mSplits.size() == 1 ? mSplits[0] : 0.0;
+    }
+
+private:
+    CascadeMemory mMemory;
+    std::vector<double> mSplits;
+};
+
+/// Of walls at depths 2 and 250, which stay where they are, what is seen lies between a depth and
+/// 200.
+double splitSeeing(Following& following, double nearest, const Vec3& wsOrigin = Vec3::Zero(),
+                   double angle = 0.0) {
+    Scene scene = wallsAt(2.0, 250.0);
+    scene.viewer.viewFromWorld =
+        lookAlong(Vec3::Zero(), Vec3(std::sin(angle), 0.0, -std::cos(angle)));
+    ShadowProblem problem = scene.problem();
+    const std::array<VisiblePoint, 2> points = {
+        {{Vec3(-0.5, 0.0, -nearest), Vec3::UnitZ()}, {Vec3(1.0, 0.0, -200.0), Vec3::UnitZ()}}};
+    problem.visiblePoints = points;
+    problem.wsOrigin = wsOrigin;
+    return following.split(problem);
+}
+
+/// By how much the logarithm of the split changes in a frame from which on less is near.
+double stepAfter(const Vec3& wsMoved, double angle) {
+    Following following;
+    const double before = splitSeeing(following, 2.0);
+    return std::log(splitSeeing(following, 3.0, wsMoved, angle) / before);
 }
 
 } // namespace
@@ -73,41 +110,49 @@ TEST(CascadeSplits, AreNoneWhereNothingIsToBeSplit) {
     EXPECT_TRUE(splitsOf(endless, 3, {.uniformity = 0.0, .followReceivers = false}).empty());
 }
 
-TEST(CascadeSplits, FollowLittleByLittleAndJumpAfterACut) {
-    CascadeMemory memory;
-    std::vector<double> splits;
-    const auto split = [&](const Scene& scene) {
-        cascadeSplits(scene.problem(), 2, {}, memory, splits);
-        return splits.size() == 1 ? splits[0] : 0.0;
-    };
-    EXPECT_NEAR(split(wallsAt(2.0, 200.0)), 20.0, 1e-6);
-    double last = 20.0;
-    // The nearer wall is little of the region, which hardly changes.
+TEST(CascadeSplits, FollowLittleByLittleWhileNothingMoves) {
+    Following following;
+    double last = splitSeeing(following, 2.0);
+    EXPECT_NEAR(last, 20.0, 1e-6);
     for (int i = 0; i < 1000; ++i) {
-        const double next = split(wallsAt(3.0, 200.0));
-        EXPECT_LE(std::abs(std::log(next / last)), 0.001);
+        const double next = splitSeeing(following, 3.0);
+        EXPECT_LE(std::abs(std::log(next / last)), 0.0005);
         last = next;
     }
     EXPECT_NEAR(last, std::sqrt(600.0), 1e-6);
-    EXPECT_NEAR(split(wallsAt(50.0, 200.0)), 100.0, 1e-6);
 }
 
-TEST(CascadeSplits, FollowFasterWhileTheViewerTurns) {
-    const auto stepAfter = [](double angle) {
-        CascadeMemory memory;
-        std::vector<double> splits;
-        cascadeSplits(wallsAt(2.0, 200.0).problem(), 2, {}, memory, splits);
-        const double before = splits.at(0);
-        Scene turned = wallsAt(3.0, 200.0);
-        turned.viewer.viewFromWorld =
-            lookAlong(Vec3::Zero(), Vec3(std::sin(angle), 0.0, -std::cos(angle)));
-        cascadeSplits(turned.problem(), 2, {}, memory, splits);
-        return std::log(splits.at(0) / before);
-    };
-    // One of the two ends moves.
-    EXPECT_GT(stepAfter(0.01), 5.0 * stepAfter(1e-4));
-    EXPECT_LT(stepAfter(1e-4), 0.001);
-    EXPECT_GT(stepAfter(1e-4), 0.0);
+TEST(CascadeSplits, FollowFasterWhileTheViewerMoves) {
+    const double still = stepAfter(Vec3::Zero(), 0.0);
+    EXPECT_GT(still, 0.0);
+    EXPECT_LT(stepAfter(Vec3::Zero(), 1e-4), 5.0 * still);
+    EXPECT_GT(stepAfter(Vec3::Zero(), 0.01), 10.0 * still);
+    EXPECT_GT(stepAfter(Vec3(0.0, 0.0, 0.02), 0.0), 10.0 * still);
+    // Never so fast that edges jump.
+    EXPECT_LE(stepAfter(Vec3::Zero(), 0.04), 0.05);
+}
+
+TEST(CascadeSplits, AreAsTheyAreSeenAfterACameraCut) {
+    const double whole = std::log(3.0 / 2.0) / 2.0; // one of the two ends
+    EXPECT_NEAR(stepAfter(Vec3(0.0, 10.0, 0.0), 0.0), whole, 1e-6);
+    EXPECT_NEAR(stepAfter(Vec3::Zero(), 0.1), whole, 0.05);
+    Following following;
+    EXPECT_NEAR(splitSeeing(following, 2.0), 20.0, 1e-6);
+    EXPECT_NEAR(splitSeeing(following, 4.5), 30.0, 1e-6); // more than twice as far
+}
+
+/// The viewer does not move, but what it sees does.
+TEST(CascadeSplits, StayWithWhatComesNearer) {
+    for (const double speed : {0.0005, 0.001, 0.002, 0.009}) {
+        Following following;
+        double last = following.split(wallsAt(40.0, 250.0).problem());
+        for (double nearest = 40.0; nearest > 5.0; nearest *= 1.0 - speed) {
+            const double split = following.split(wallsAt(nearest, 250.0).problem());
+            EXPECT_LE(std::abs(std::log(split / last)), 2.0 * speed + 0.0005);
+            EXPECT_NEAR(std::log(split / std::sqrt(nearest * 250.0)), 0.0, 0.05);
+            last = split;
+        }
+    }
 }
 
 TEST(CascadeSplits, AscendWhileTheyFollow) {

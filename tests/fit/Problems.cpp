@@ -425,14 +425,14 @@ bool isLostInRounding(const Scene& scene, const FitState& state) {
     return (greatest - least).norm() < 100.0 * 0x1p-19 * reach;
 }
 
-std::vector<ViewSample> samplesOf(const ShadowProblem& problem, std::size_t most) {
+std::vector<ViewSample> samplesOf(const ShadowProblem& problem, const SampleCount& count) {
     const LightImage image(problem.light);
     FocusScratch scratch;
     FocusRegion region;
     findFocusRegion(problem, image, scratch, region);
     SampleScratch sampling;
     std::vector<ViewSample> samples;
-    sampleView(problem, image, region.liHull, scratch.receiversInView, most, sampling, samples);
+    sampleView(problem, image, region.liHull, scratch.receiversInView, count, sampling, samples);
     return samples;
 }
 

@@ -144,8 +144,7 @@ const std::vector<Technique>& techniques();
 bool isLostInRounding(const Scene& scene, const FitState& state);
 
 /// What is sampled of the problem's focus region.
-/// @param most samples
-std::vector<ViewSample> samplesOf(const ShadowProblem& problem, std::size_t most);
+std::vector<ViewSample> samplesOf(const ShadowProblem& problem, const SampleCount& count);
 
 /// Clip coordinates of a world point.
 Vec4 clipOf(const Mat4& clipFromWorld, const Vec3& ws);

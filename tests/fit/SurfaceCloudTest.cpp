@@ -36,7 +36,7 @@ SurfaceCloud room() {
 std::vector<ViewSample> sample(const Scene& scene, std::span<const KnownSurface> surfaces) {
     ShadowProblem problem = scene.problem();
     problem.surfaces = surfaces;
-    return samplesOf(problem, 1000);
+    return samplesOf(problem, {.most = 1000, .enough = 1000});
 }
 
 /// The viewer in a room whose box ends far below and above what there is of it.

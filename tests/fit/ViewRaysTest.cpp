@@ -13,6 +13,14 @@ using namespace Lixel::Test;
 
 namespace {
 
+/// Where the ray through a point of the picture starts and goes.
+std::pair<Vec3, Vec3> rayThrough(const Vec2& ndc, const Mat4& worldFromClip) {
+    const Vec4 nearPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), -1.0, 1.0);
+    const Vec4 farPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), 1.0, 1.0);
+    const Vec3 origin = nearPoint.head<3>() / nearPoint.w();
+    return {origin, farPoint.head<3>() - farPoint.w() * origin};
+}
+
 /// The ray's first way into a box, or out of one it starts in; infinite without.
 double firstHit(const Scene& scene, const Vec3& origin, const Vec3& direction,
                 std::size_t without) {
@@ -45,10 +53,7 @@ RC_GTEST_PROP(ViewRays, MeetWhatEachRayMeetsFirst, ()) {
     for (std::size_t ray = 0; ray < ViewRays::Count; ++ray) {
         const Vec2 ndc = rays.ndc(ray);
         RC_ASSERT(ndc.cwiseAbs().maxCoeff() <= 1.0);
-        const Vec4 nearPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), -1.0, 1.0);
-        const Vec4 farPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), 1.0, 1.0);
-        const Vec3 origin = nearPoint.head<3>() / nearPoint.w();
-        const Vec3 direction = farPoint.head<3>() - farPoint.w() * origin;
+        const auto [origin, direction] = rayThrough(ndc, worldFromClip);
         const double nearest = firstHit(scene, origin, direction, known);
         // A ray along a box' face may meet it or not.
         double wider = nearest;
@@ -88,10 +93,7 @@ RC_GTEST_PROP(ViewRays, MeetTheNearestDiscThatFacesThem, ()) {
     rays.meet(discs);
     for (std::size_t ray = 0; ray < ViewRays::Count; ++ray) {
         const Vec2 ndc = rays.ndc(ray);
-        const Vec4 nearPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), -1.0, 1.0);
-        const Vec4 farPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), 1.0, 1.0);
-        const Vec3 origin = nearPoint.head<3>() / nearPoint.w();
-        const Vec3 direction = farPoint.head<3>() - farPoint.w() * origin;
+        const auto [origin, direction] = rayThrough(ndc, worldFromClip);
         double nearest = std::numeric_limits<double>::infinity();
         const Surfel* met = nullptr;
         bool unsure = false;

@@ -39,7 +39,12 @@ struct Frame {
     /// Of each of them, as it is drawn with: positions are relative to the world's origin here.
     std::vector<ShadowFit> fits;
 
-    bool hasMap() const { return std::ranges::any_of(fits, &ShadowFit::hasMap); }
+    /// Whether there are maps, but for those that have nothing to show.
+    bool hasMaps() const {
+        return std::ranges::any_of(fits, &ShadowFit::hasMap) &&
+               std::ranges::all_of(
+                   fits, [](const ShadowFit& fit) { return fit.reason < FitReason::Unbounded; });
+    }
 };
 
 /// What one point has in one frame.
@@ -141,8 +146,8 @@ public:
     void add(int number, const Frame& frame) {
         mAfter.clear();
         for (const SurfacePoint& point : mPoints)
-            mAfter.push_back(frame.hasMap() ? pointIn(frame, point) : std::nullopt);
-        if (!frame.hasMap()) ++mResult.framesWithoutMap;
+            mAfter.push_back(frame.maps.empty() ? std::nullopt : pointIn(frame, point));
+        if (!frame.hasMaps()) ++mResult.framesWithoutMap;
         // What changes from one map to another does so at an edge that materials know of.
         if (!mBefore.empty())
             for (std::size_t map = 0; map < frame.maps.size(); ++map)
@@ -176,7 +181,7 @@ private:
             mResult.leastGain = std::min(mResult.leastGain, quantile(mGains, 0.5));
             return;
         }
-        if (greatest > MostChange) ++mResult.unsteadyFrames;
+        if (greatest > MostChange) ++mResult.unsteadySteps;
         if (greatest <= mResult.greatestSteady) return;
         mResult.greatestSteady = greatest;
         mResult.greatestFrame = number;

@@ -24,11 +24,11 @@ struct SweepOptions {
 */
 struct Steadiness {
     double greatest = 0.0;       ///< change of ln m from one frame to the next
-    double greatestSteady = 0.0; ///< the same without frames in which the orientation jumps
+    double greatestSteady = 0.0; ///< the same without maps whose orientation jumps in the frame
     double percentile99 = 0.0;   ///< of all points' and frames' changes
     int greatestFrame = 0;       ///< of greatestSteady
-    int unsteadyFrames = 0;      ///< maps that change by more than MostChange without a jump
-    int jumps = 0;               ///< maps whose axes turn in a frame
+    int unsteadySteps = 0;       ///< how often a map changes by more than MostChange without one
+    int jumps = 0;               ///< how often a map's axes turn
     /// Share of the map's area that a jump saves, the least of all of them; infinite without any.
     double leastGain = std::numeric_limits<double>::infinity();
     int framesWithoutMap = 0;
