@@ -138,6 +138,13 @@ double quantile(std::vector<double>& values, double share) {
     return *at;
 }
 
+/// Whether a map's share of the world is what it was in the frame before, and not another map's,
+/// whose place in the list it has taken.
+bool isSamePart(const Eigen::RowVector4d& before, const Eigen::RowVector4d& after) {
+    constexpr double Different = 0.05; // many times what 1e-4 rad change it by
+    return (after - before).norm() <= Different * before.norm();
+}
+
 /// Collects what changes from frame to frame.
 class Changes {
 public:
@@ -149,10 +156,12 @@ public:
             mAfter.push_back(frame.maps.empty() ? std::nullopt : pointIn(frame, point));
         if (!frame.hasMaps()) ++mResult.framesWithoutMap;
         // What changes from one map to another does so at an edge that materials know of.
-        if (!mBefore.empty())
-            for (std::size_t map = 0; map < frame.maps.size(); ++map)
-                compare(number, map);
+        for (std::size_t map = 0; map < std::min(mSharesBefore.size(), frame.maps.size()); ++map)
+            if (isSamePart(mSharesBefore[map], frame.maps[map].wsShare)) compare(number, map);
         std::swap(mBefore, mAfter);
+        mSharesBefore.clear();
+        for (const ProbedMap& map : frame.maps)
+            mSharesBefore.push_back(map.wsShare);
     }
 
     Steadiness result() {
@@ -188,6 +197,7 @@ private:
     }
 
     std::vector<SurfacePoint> mPoints;
+    std::vector<Eigen::RowVector4d> mSharesBefore; ///< of each map
     std::vector<std::optional<PointInMap>> mBefore;
     std::vector<std::optional<PointInMap>> mAfter;
     std::vector<double> mAll;
