@@ -30,7 +30,7 @@ Function* glFunction(const char* name) {
 }
 
 Ogre::MaterialPtr material(const Ogre::String& name) {
-    Ogre::MaterialPtr found = Ogre::MaterialManager::getSingleton().getByName(name, "Lixel");
+    Ogre::MaterialPtr found = Ogre::MaterialManager::getSingleton().getByName(name);
     if (!found) throw std::runtime_error("resources.cfg leads to no material '" + name + "'");
     return found;
 }

@@ -43,14 +43,14 @@ material Test/Visibility : Lixel/Surface/Integrated/Maps6
 
 void showVisibility(Stage& stage) {
     Ogre::MaterialManager& materials = Ogre::MaterialManager::getSingleton();
-    if (!materials.resourceExists(White, "Lixel")) {
+    if (!materials.resourceExists(White, Ogre::RGN_DEFAULT)) {
         Ogre::DataStreamPtr script = std::make_shared<Ogre::MemoryDataStream>(
             const_cast<char*>(WhiteScript), std::strlen(WhiteScript), false, true);
-        materials.parseScript(script, "Lixel");
+        materials.parseScript(script, Ogre::RGN_DEFAULT);
     }
     stage.sceneManager().setAmbientLight(Ogre::ColourValue::Black);
     for (const auto& [name, object] : stage.sceneManager().getMovableObjects("Entity"))
-        static_cast<Ogre::Entity*>(object)->setMaterial(materials.getByName(White, "Lixel"));
+        static_cast<Ogre::Entity*>(object)->setMaterial(materials.getByName(White));
 }
 
 void setMaps(Stage& stage, int side, std::size_t count) {

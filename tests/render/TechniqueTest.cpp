@@ -48,7 +48,7 @@ double misclassified(const Samples::ShadowTruth& truth, const std::vector<std::u
 }
 
 Ogre::MaterialPtr material(const std::string& name) {
-    return Ogre::MaterialManager::getSingleton().getByName(name, "Lixel");
+    return Ogre::MaterialManager::getSingleton().getByName(name);
 }
 
 /// Ambient light 0.2 and sunlight, on a surface of 0.8, in 8 bits.

@@ -42,7 +42,7 @@ protected:
     /// A triangle over the box that claims to be everywhere.
     Ogre::ManualObject* addCloud() {
         Ogre::ManualObject* const cloud = scene.stage.sceneManager().createManualObject("cloud");
-        cloud->begin("Lixel/Surface", Ogre::RenderOperation::OT_TRIANGLE_LIST, "Lixel");
+        cloud->begin("Lixel/Surface", Ogre::RenderOperation::OT_TRIANGLE_LIST);
         for (const Ogre::Vector3& p :
              {Ogre::Vector3(-1, 3, -1), Ogre::Vector3(-1, 3, 1), Ogre::Vector3(1, 3, 1)}) {
             cloud->position(p);
