@@ -27,8 +27,10 @@ void Plugin::shutdown() {
 }
 
 bool Plugin::frameStarted(const Ogre::FrameEvent&) {
-    for (const auto& [name, manager] : Ogre::Root::getSingleton().getSceneManagers())
+    for (const auto& [name, manager] : Ogre::Root::getSingleton().getSceneManagers()) {
         guardLights(*manager);
+        mShadowParameters->serve(*manager);
+    }
     return true;
 }
 

@@ -21,7 +21,7 @@ public:
     void shutdown() override;
     void uninstall() override {}
 
-    /// Guards the lights of scene managers that no setup has been used in yet.
+    /// Guards the lights of scene managers, and serves their materials, before any setup is used.
     bool frameStarted(const Ogre::FrameEvent& event) override;
 
 private:

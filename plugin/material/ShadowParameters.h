@@ -11,6 +11,8 @@ class SceneManager;
 
 namespace Lixel {
 
+class SharedParameters;
+
 /** Custom parameters of a light that carry its shadow map to programs.
 
     In a script: `param_named_auto NAME light_custom N` with N = index * 65536 + the light's index
@@ -25,7 +27,8 @@ enum LightParameter : unsigned short {
     LP_MAP_ROW_DEPTH = 103,
     /// (width, height, depth bias in units of stored depth, depth per world unit).
     LP_MAP_SIZE_BIAS = 104,
-    /// Stored depth = x * clip z + y, for casters.
+    /// Stored depth = x * clip z + y, for casters. OGRE draws casters without lights since 13.3.2:
+    /// the shared parameters `Lixel/Caster` hold the same and reach them in every version.
     LP_CASTER_DEPTH = 105,
     /// Row whose product with a world position is greatest for the map that serves the position, of
     /// all maps of the light.
@@ -40,9 +43,11 @@ enum LightParameter : unsigned short {
 
 /** Binds each shadow map to the materials that use it, by itself.
 
-    Light custom parameters reach casters and additive and integrated receivers; modulative
-    receivers, which OGRE draws without lights, read the shared parameters
-    `Lixel/ModulativeReceiver`, set again right before each of their passes.
+    Light custom parameters reach additive and integrated receivers. Modulative receivers, which
+   OGRE draws without lights, read the shared parameters `Lixel/ModulativeReceiver`, set again right
+    before each of their passes; casters read `Lixel/Caster`, set right before each map is drawn.
+   The scene manager's fog is in `Lixel/Fog`. Under the additive and modulative techniques, surfaces
+    with a `shadow_receiver_material` of their own get the map of the light that is drawn.
 */
 class LIXEL_API ShadowParameters : public ShadowMapObserver {
 public:
@@ -50,8 +55,14 @@ public:
     ~ShadowParameters() override;
     void shadowMapFitted(const ShadowMap& map) override;
 
+    /// Binds a scene manager's fog, and its lights' missing maps, before any map of it was fitted.
+    /// Serving one twice has no effect. The plugin serves all of them before every frame.
+    void serve(Ogre::SceneManager& manager);
+
 private:
     class SceneListener;
+    SceneListener& listenerOf(Ogre::SceneManager& manager);
+    std::unique_ptr<SharedParameters> mShared;
     std::map<Ogre::SceneManager*, std::unique_ptr<SceneListener>> mListeners;
 };
 

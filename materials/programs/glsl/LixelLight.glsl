@@ -17,7 +17,8 @@ vec4 lixelDiffuseMap(vec2 uv)
 
 vec3 lixelLight(vec3 wsPosition, vec3 wsNormal, vec3 albedo)
 {
-    vec3 n = normalize(wsNormal);
+    // A mesh without normals faces no light.
+    vec3 n = wsNormal / max(length(wsNormal), 1e-20);
     vec3 toLight = lightPosition.xyz - wsPosition * lightPosition.w;
     float range = length(toLight);
     vec3 l = toLight / range;

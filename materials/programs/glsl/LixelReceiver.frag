@@ -1,12 +1,9 @@
 #version 330 core
 // One light's contribution to a surface, shadowed: for additive passes, integrated or not.
+#include "LixelVaryings.glsl"
 #include "LixelShadow.glsl"
 #include "LixelLight.glsl"
-
-in vec3 wsPosition;
-in vec3 wsNormal;
-in vec2 uv;
-in vec4 mapCoordinate;
+#include "LixelFog.glsl"
 
 out vec4 fragColour;
 
@@ -21,6 +18,7 @@ void main()
     fragColour = vec4(vec3(visibility), 1.0);
 #else
     vec4 texel = lixelDiffuseMap(uv);
-    fragColour = vec4(visibility * lixelLight(wsPosition, wsNormal, texel.rgb), texel.a);
+    vec3 light = visibility * lixelLight(wsPosition, wsNormal, texel.rgb);
+    fragColour = vec4(lixelThroughFog() * light, texel.a);
 #endif
 }

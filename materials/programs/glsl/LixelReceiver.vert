@@ -1,5 +1,8 @@
 #version 330 core
-// Shadow receiver, shared by the additive, integrated and modulative fragment programs.
+// Shadow receiver, shared by the additive, integrated and modulative fragment programs, and by
+// those that read no shadow map.
+#include "LixelVaryings.glsl"
+
 in vec4 vertex;
 in vec3 normal;
 in vec2 uv0;
@@ -11,11 +14,6 @@ uniform vec4 lixelRowU;
 uniform vec4 lixelRowV;
 uniform vec4 lixelRowW;
 uniform vec4 lixelRowDepth;
-
-out vec3 wsPosition;
-out vec3 wsNormal;
-out vec2 uv;
-out vec4 mapCoordinate;
 
 void main()
 {

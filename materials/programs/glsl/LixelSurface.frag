@@ -1,12 +1,10 @@
 #version 330 core
 // A surface lit without shadows: the ambient pass, and lights that cast none.
+#include "LixelVaryings.glsl"
 #include "LixelLight.glsl"
+#include "LixelFog.glsl"
 
 uniform vec4 ambient; // light times surface, plus the surface's own emission
-
-in vec3 wsPosition;
-in vec3 wsNormal;
-in vec2 uv;
 
 out vec4 fragColour;
 
@@ -14,8 +12,10 @@ void main()
 {
     vec4 texel = lixelDiffuseMap(uv);
 #ifdef LIXEL_AMBIENT
-    fragColour = vec4(ambient.rgb * texel.rgb, texel.a);
+    // Drawn first, so the fog's own colour is added here.
+    fragColour = vec4(lixelFogged(ambient.rgb * texel.rgb), texel.a);
 #else
-    fragColour = vec4(lixelLight(wsPosition, wsNormal, texel.rgb), texel.a);
+    vec3 light = lixelLight(wsPosition, wsNormal, texel.rgb);
+    fragColour = vec4(lixelThroughFog() * light, texel.a);
 #endif
 }

@@ -1,0 +1,22 @@
+// The scene manager's fog, which OGRE leaves to the programs.
+uniform vec4 lixelFog; // mode (0 none, 1 exp, 2 exp2, 3 linear), density, start, end
+uniform vec4 lixelFogColour;
+
+// How much of a fragment's own colour comes through the fog, 0 to 1.
+//
+// A pass that adds a light multiplies its colour by it. A pass that is drawn first also adds the
+// fog's own colour, once: see lixelFogged.
+float lixelThroughFog()
+{
+    float depth = 1.0 / gl_FragCoord.w; // in front of the viewer
+    if (lixelFog.x > 2.5)
+        return clamp((lixelFog.w - depth) / max(lixelFog.w - lixelFog.z, 1e-6), 0.0, 1.0);
+    float thickness = lixelFog.y * depth;
+    if (lixelFog.x > 1.5) return exp(-thickness * thickness);
+    return lixelFog.x > 0.5 ? exp(-thickness) : 1.0;
+}
+
+vec3 lixelFogged(vec3 colour)
+{
+    return mix(lixelFogColour.rgb, colour, lixelThroughFog());
+}

@@ -1,0 +1,79 @@
+#include "material/SharedParameters.h"
+
+#include <OgreGpuProgramManager.h>
+#include <OgreGpuProgramParams.h>
+#include <OgreSceneManager.h>
+
+#include <initializer_list>
+
+namespace Lixel {
+namespace {
+
+const char* const CasterSet = "Lixel/Caster";
+const char* const FogSet = "Lixel/Fog";
+const char* const ModulativeSet = "Lixel/ModulativeReceiver";
+
+Ogre::GpuSharedParametersPtr find(const char* name) {
+    Ogre::GpuProgramManager* const programs = Ogre::GpuProgramManager::getSingletonPtr();
+    if (programs == nullptr) return {};
+    const auto& sets = programs->getAvailableSharedParameters();
+    const auto found = sets.find(name);
+    return found == sets.end() ? Ogre::GpuSharedParametersPtr() : found->second;
+}
+
+void make(const char* name, std::initializer_list<const char*> vectors) {
+    if (find(name)) return;
+    const Ogre::GpuSharedParametersPtr set =
+        Ogre::GpuProgramManager::getSingleton().createSharedParameters(name);
+    for (const char* vector : vectors)
+        set->addConstantDefinition(vector, Ogre::GCT_FLOAT4);
+}
+
+} // namespace
+
+SharedParameters::SharedParameters() {
+    Ogre::ResourceGroupManager::getSingleton().addResourceGroupListener(this);
+}
+
+SharedParameters::~SharedParameters() {
+    Ogre::ResourceGroupManager::getSingleton().removeResourceGroupListener(this);
+}
+
+void SharedParameters::resourceGroupScriptingStarted(const Ogre::String&, std::size_t) {
+    // Made by the render system, and so not there before its first window.
+    if (Ogre::GpuProgramManager::getSingletonPtr() == nullptr) return;
+    make(CasterSet, {"lixelCasterDepth"});
+    make(FogSet, {"lixelFog", "lixelFogColour"});
+    make(ModulativeSet,
+         {"lixelRowU", "lixelRowV", "lixelRowW", "lixelRowDepth", "lixelSizeBias", "lixelLight"});
+}
+
+void SharedParameters::setCasterDepth(const ShadowFit& fit) {
+    if (const Ogre::GpuSharedParametersPtr set = find(CasterSet))
+        set->setNamedConstant("lixelCasterDepth",
+                              Ogre::Vector4(static_cast<Ogre::Real>(fit.depthScale),
+                                            static_cast<Ogre::Real>(fit.depthOffset), 0, 0));
+}
+
+void SharedParameters::setFog(const Ogre::SceneManager& manager) {
+    const Ogre::GpuSharedParametersPtr set = find(FogSet);
+    if (!set) return;
+    set->setNamedConstant("lixelFog", Ogre::Vector4(static_cast<Ogre::Real>(manager.getFogMode()),
+                                                    manager.getFogDensity(), manager.getFogStart(),
+                                                    manager.getFogEnd()));
+    set->setNamedConstant("lixelFogColour", manager.getFogColour());
+}
+
+void SharedParameters::setModulativeReceiver(const ReceiverParameters& parameters,
+                                             const Ogre::Vector4& light) {
+    const Ogre::GpuSharedParametersPtr set = find(ModulativeSet);
+    if (!set) return;
+    set->setNamedConstant("lixelRowU", parameters.rowU);
+    set->setNamedConstant("lixelRowV", parameters.rowV);
+    set->setNamedConstant("lixelRowW", parameters.rowW);
+    set->setNamedConstant("lixelRowDepth", parameters.rowDepth);
+    set->setNamedConstant("lixelSizeBias", parameters.sizeBias);
+    set->setNamedConstant("lixelLight", light);
+}
+
+} // namespace Lixel

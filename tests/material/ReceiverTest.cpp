@@ -1,0 +1,166 @@
+// What receivers and casters are told, whatever draws them.
+
+#include "MaterialScene.h"
+
+#include <Lixel/material/ShadowParameters.h>
+#include <Lixel/setup/XPSMShadowCameraSetup.h>
+
+#include <OgreHighLevelGpuProgramManager.h>
+#include <OgreShadowCameraSetup.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace Lixel::Tests {
+namespace {
+
+const Ogre::Vector3 InShadow(-2, 0, 0);
+const Ogre::Vector3 InTheSun(4, 0, 4);
+
+TEST(Receivers, OfMeshesWithoutNormalsAreShadowedModulatively) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE, "Lixel/Receiver/Modulative/Bilinear");
+    for (Ogre::Light* light : scene.lights)
+        light->setVisible(light == scene.lights.front());
+    Ogre::ManualObject* const carpet = scene.stage.sceneManager().createManualObject("carpet");
+    carpet->begin("Test/Unlit", Ogre::RenderOperation::OT_TRIANGLE_LIST);
+    for (const Ogre::Vector3& p : {Ogre::Vector3(-20, 0.01F, -20), Ogre::Vector3(-20, 0.01F, 20),
+                                   Ogre::Vector3(20, 0.01F, 20), Ogre::Vector3(20, 0.01F, -20)})
+        carpet->position(p);
+    carpet->quad(0, 1, 2, 3);
+    carpet->end();
+    carpet->setCastShadows(false);
+    scene.stage.sceneManager().getRootSceneNode()->attachObject(carpet);
+    const std::vector<int> picture = scene.draw();
+    EXPECT_LT(picture[scene.pixelOf(InShadow)], picture[scene.pixelOf(InTheSun)] - 50);
+}
+
+TEST(Receivers, KeepNoMapOfALightThatHasNone) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
+    Ogre::Light& light = *scene.lights.front();
+    constexpr std::size_t Last = ShadowParts::Capacity - 1;
+    light.setCustomParameter(LP_MAP_ROW_W + LP_MAP_STEP * Last, Ogre::Vector4(1, 2, 3, 4));
+    scene.draw();
+    EXPECT_EQ(light.getCustomParameter(LP_MAP_ROW_W + LP_MAP_STEP * Last),
+              Ogre::Vector4(0, 0, 0, -1));
+}
+
+TEST(Receivers, OfReparsedScriptsWork) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear");
+    const std::vector<int> before = scene.draw();
+    // As applications do that reload their materials.
+    Ogre::ResourceGroupManager& groups = Ogre::ResourceGroupManager::getSingleton();
+    scene.stage.sceneManager().setShadowTextureCasterMaterial(nullptr);
+    scene.stage.sceneManager().setShadowTextureReceiverMaterial(nullptr);
+    groups.clearResourceGroup(Ogre::RGN_DEFAULT);
+    groups.initialiseResourceGroup(Ogre::RGN_DEFAULT);
+    auto& materials = Ogre::MaterialManager::getSingleton();
+    scene.stage.sceneManager().setShadowTextureCasterMaterial(materials.getByName("Lixel/Caster"));
+    scene.stage.sceneManager().setShadowTextureReceiverMaterial(
+        materials.getByName("Lixel/Receiver/Bilinear"));
+    scene.wear("Lixel/Surface");
+    EXPECT_EQ(differing(before, scene.draw()), 0.0);
+}
+
+/// What OGRE's option for reversed depth buffers does to a shadow camera's projection.
+class ReversedSetup : public Ogre::ShadowCameraSetup {
+public:
+    explicit ReversedSetup(Ogre::ShadowCameraSetupPtr inner) : mInner(std::move(inner)) {}
+    void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
+                         const Ogre::Viewport* viewport, const Ogre::Light* light,
+                         Ogre::Camera* shadowCamera, std::size_t iteration) const override {
+        mInner->getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera, iteration);
+        Ogre::Matrix4 projection = shadowCamera->getProjectionMatrix();
+        for (std::size_t column = 0; column < 4; ++column)
+            projection[2][column] = (projection[3][column] - projection[2][column]) / 2;
+        shadowCamera->setCustomProjectionMatrix(true, projection);
+    }
+
+private:
+    Ogre::ShadowCameraSetupPtr mInner;
+};
+
+TEST(Casters, StoreTheSameDepthInReversedDepthBuffers) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear");
+    const std::vector<int> before = scene.draw();
+    for (Ogre::Light* light : scene.lights)
+        light->setCustomShadowCameraSetup(
+            std::make_shared<ReversedSetup>(light->getCustomShadowCameraSetup()));
+    EXPECT_GT(differing(before, scene.draw()), 1.0) << "the depths are told apart";
+
+    auto& programs = Ogre::HighLevelGpuProgramManager::getSingleton();
+    const Ogre::HighLevelGpuProgramPtr program = programs.createProgram(
+        "Test/ReversedCasterVP", Ogre::RGN_DEFAULT, "glsl", Ogre::GPT_VERTEX_PROGRAM);
+    program->setSourceFile("LixelCaster.vert");
+    program->setParameter("preprocessor_defines", "OGRE_REVERSED_Z=1");
+    program->load();
+    const Ogre::MaterialPtr caster =
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster")->clone("Test/Reversed");
+    Ogre::Pass& pass = *caster->getTechnique(0)->getPass(0);
+    pass.setVertexProgram("Test/ReversedCasterVP");
+    pass.getVertexProgramParameters()->setNamedAutoConstant(
+        "worldViewProj", Ogre::GpuProgramParameters::ACT_WORLDVIEWPROJ_MATRIX);
+    pass.getVertexProgramParameters()->addSharedParameters("Lixel/Caster");
+    scene.stage.sceneManager().setShadowTextureCasterMaterial(caster);
+    EXPECT_LT(differing(before, scene.draw()), 0.05);
+}
+
+/// OGRE draws casters without lights since 13.3.2.
+TEST(Casters, AreToldNothingByLights) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear");
+    const Ogre::MaterialPtr caster =
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster");
+    const Ogre::Pass& pass = *caster->getTechnique(0)->getPass(0);
+    std::size_t seen = 0;
+    for (const auto& parameters :
+         {pass.getVertexProgramParameters(), pass.getFragmentProgramParameters()}) {
+        for (const auto& automatic : parameters->getAutoConstantList()) {
+            ++seen;
+            const auto* definition =
+                Ogre::GpuProgramParameters::getAutoConstantDefinition(automatic.paramType);
+            EXPECT_EQ(std::string(definition->name).find("light"), std::string::npos)
+                << definition->name;
+        }
+    }
+    EXPECT_GT(seen, 0U);
+}
+
+/// Since 14, OGRE takes the texture off a unit of that type when its material is compiled anew; and
+/// in every version it puts the first light's map there for every light.
+TEST(Receivers, OfSceneManagersHaveNoContentType) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear");
+    for (const char* name :
+         {"Lixel/Receiver", "Lixel/Receiver/Bilinear", "Lixel/Receiver/Visibility",
+          "Lixel/Receiver/Modulative", "Lixel/Receiver/Modulative/Bilinear"}) {
+        const Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton().getByName(name);
+        for (const Ogre::TextureUnitState* unit :
+             material->getTechnique(0)->getPass(0)->getTextureUnitStates())
+            EXPECT_NE(unit->getContentType(), Ogre::TextureUnitState::CONTENT_SHADOW) << name;
+    }
+}
+
+/// With separate shader objects, OGRE's default since 14, a fragment program that lacks a varying
+/// of its vertex program reads rubbish from the others.
+TEST(Programs, ShareOneListOfVaryings) {
+    std::size_t seen = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(LIXEL_MATERIALS_DIR "/programs/glsl")) {
+        const std::string name = entry.path().filename().string();
+        const std::string extension = entry.path().extension().string();
+        if (extension != ".vert" && extension != ".frag") continue;
+        if (name.starts_with("LixelCaster")) continue; // they have a varying of their own
+        std::ostringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        const std::string source = text.str();
+        ++seen;
+        EXPECT_NE(source.find("#include \"LixelVaryings.glsl\""), std::string::npos) << name;
+        const std::regex varying(extension == ".vert" ? "\nout " : "\nin ");
+        EXPECT_FALSE(std::regex_search(source, varying)) << name << " has a varying of its own";
+    }
+    EXPECT_GE(seen, 4U);
+}
+
+} // namespace
+} // namespace Lixel::Tests
