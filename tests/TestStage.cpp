@@ -25,6 +25,13 @@ std::size_t LogCollector::count(const std::string& text) const {
     return n;
 }
 
+std::string LogCollector::all() const {
+    std::string lines;
+    for (const std::string& message : mMessages)
+        lines += message + '\n';
+    return lines;
+}
+
 BoxOnGround::BoxOnGround(const std::string& sceneManagerType, const std::string& setup)
     : stage({.headless = true,
              .width = 320,

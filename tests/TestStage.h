@@ -18,6 +18,8 @@ public:
                        const Ogre::String& logName, bool& skipThisMessage) override;
     /// How many messages of Lixel's contained the text.
     std::size_t count(const std::string& text) const;
+    /// All messages of Lixel's, a line each.
+    std::string all() const;
 
 private:
     std::vector<std::string> mMessages;

@@ -1,16 +1,33 @@
 #include "material/ShadowParameters.h"
 
+#include "material/MaterialCheck.h"
 #include "material/ReceiverParameters.h"
 #include "material/SharedParameters.h"
 #include "material/SurfaceReceivers.h"
 
+#include <OgreCamera.h>
+#include <OgreHardwarePixelBuffer.h>
 #include <OgreLight.h>
+#include <OgreRenderTexture.h>
 #include <OgreSceneManager.h>
+#include <OgreTexture.h>
+#include <OgreViewport.h>
 
 #include <cmath>
 
 namespace Lixel {
 namespace {
+
+/// The texture that a shadow camera draws; null where it is none of the scene manager's.
+Ogre::TexturePtr textureOf(const Ogre::Camera& shadowCamera, Ogre::SceneManager& manager) {
+    const Ogre::RenderTarget* const target = shadowCamera.getViewport()->getTarget();
+    const std::size_t count = manager.getShadowTextureConfigList().size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Ogre::TexturePtr& texture = manager.getShadowTexture(i);
+        if (texture->getBuffer()->getRenderTarget() == target) return texture;
+    }
+    return {};
+}
 
 bool hasReceiverPasses(const Ogre::SceneManager& manager) {
     return manager.isShadowTechniqueTextureBased() && !manager.isShadowTechniqueIntegrated();
@@ -22,7 +39,7 @@ bool hasReceiverPasses(const Ogre::SceneManager& manager) {
 class ShadowParameters::SceneListener : public Ogre::SceneManager::Listener {
 public:
     SceneListener(ShadowParameters& owner, Ogre::SceneManager& manager)
-        : mOwner(owner), mManager(manager), mSurfaceReceivers(manager) {
+        : mOwner(owner), mManager(manager), mSurfaceReceivers(manager), mCheck(manager) {
         mManager.addListener(this);
     }
     ~SceneListener() override {
@@ -34,6 +51,7 @@ public:
         if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
         letAllBeLit();
         SharedParameters::setFog(*source);
+        mHasMaps = false;
     }
 
     /// A program keeps the last light's value of a custom parameter that the next light lacks, so
@@ -48,14 +66,24 @@ public:
     }
 
     void bind(const ShadowMap& map) {
+        if (!mHasMaps) mCheck.beginFrame();
+        mHasMaps = true;
         const ReceiverParameters parameters = receiverParameters(map);
         bindMap(map.light, map.iteration, parameters);
         bindSplit(map);
+        const Ogre::TexturePtr texture = textureOf(map.shadowCamera, mManager);
+        if (texture) mCheck.checkMap(*texture);
         // Receiver passes see one map a light.
         if (map.iteration != 0) return;
         mMaps[&map.light] = parameters;
         listenToObjects(hasReceiverPasses(mManager));
-        if (mListensToObjects) mSurfaceReceivers.setMap(map.light, map.shadowCamera);
+        if (mListensToObjects && texture) mSurfaceReceivers.setMap(map.light, texture);
+    }
+
+    void postFindVisibleObjects(Ogre::SceneManager*,
+                                Ogre::SceneManager::IlluminationRenderStage stage,
+                                Ogre::Viewport*) override {
+        if (mHasMaps && stage == Ogre::SceneManager::IRS_NONE) mCheck.checkQueue();
     }
 
     void shadowTextureReceiverPreViewProj(Ogre::Light* light, Ogre::Frustum*) override {
@@ -95,6 +123,9 @@ private:
     std::map<const Ogre::Light*, ReceiverParameters> mMaps;
     std::map<const Ogre::Light*, Ogre::Vector4> mSplits;
     SurfaceReceivers mSurfaceReceivers;
+    MaterialCheck mCheck;
+    /// Whether a map was fitted for the camera that is being drawn.
+    bool mHasMaps = false;
     bool mListensToObjects = false;
 };
 

@@ -4,7 +4,9 @@
 #include <OgreGpuProgramParams.h>
 #include <OgreSceneManager.h>
 
-#include <initializer_list>
+#include <algorithm>
+#include <map>
+#include <vector>
 
 namespace Lixel {
 namespace {
@@ -21,12 +23,15 @@ Ogre::GpuSharedParametersPtr find(const char* name) {
     return found == sets.end() ? Ogre::GpuSharedParametersPtr() : found->second;
 }
 
-void make(const char* name, std::initializer_list<const char*> vectors) {
-    if (find(name)) return;
-    const Ogre::GpuSharedParametersPtr set =
-        Ogre::GpuProgramManager::getSingleton().createSharedParameters(name);
-    for (const char* vector : vectors)
-        set->addConstantDefinition(vector, Ogre::GCT_FLOAT4);
+/// The sets and their constants, vectors of four.
+const std::map<std::string, std::vector<std::string>>& sets() {
+    static const std::map<std::string, std::vector<std::string>> all{
+        {CasterSet, {"lixelCasterDepth"}},
+        {FogSet, {"lixelFog", "lixelFogColour"}},
+        {ModulativeSet,
+         {"lixelRowU", "lixelRowV", "lixelRowW", "lixelRowDepth", "lixelSizeBias", "lixelLight"}},
+    };
+    return all;
 }
 
 } // namespace
@@ -42,10 +47,20 @@ SharedParameters::~SharedParameters() {
 void SharedParameters::resourceGroupScriptingStarted(const Ogre::String&, std::size_t) {
     // Made by the render system, and so not there before its first window.
     if (Ogre::GpuProgramManager::getSingletonPtr() == nullptr) return;
-    make(CasterSet, {"lixelCasterDepth"});
-    make(FogSet, {"lixelFog", "lixelFogColour"});
-    make(ModulativeSet,
-         {"lixelRowU", "lixelRowV", "lixelRowW", "lixelRowDepth", "lixelSizeBias", "lixelLight"});
+    for (const auto& [name, constants] : sets()) {
+        if (find(name.c_str())) continue;
+        const Ogre::GpuSharedParametersPtr set =
+            Ogre::GpuProgramManager::getSingleton().createSharedParameters(name);
+        for (const std::string& constant : constants)
+            set->addConstantDefinition(constant, Ogre::GCT_FLOAT4);
+    }
+}
+
+const char* SharedParameters::setOf(const std::string& constant) {
+    for (const auto& [name, constants] : sets())
+        if (std::find(constants.begin(), constants.end(), constant) != constants.end())
+            return name.c_str();
+    return nullptr;
 }
 
 void SharedParameters::setCasterDepth(const ShadowFit& fit) {

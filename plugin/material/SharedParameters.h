@@ -5,6 +5,8 @@
 
 #include <OgreResourceGroupManager.h>
 
+#include <string>
+
 namespace Ogre {
 class SceneManager;
 } // namespace Ogre
@@ -36,6 +38,9 @@ public:
     /// Set `Lixel/ModulativeReceiver`: the map of the light whose modulative pass comes next.
     static void setModulativeReceiver(const ReceiverParameters& parameters,
                                       const Ogre::Vector4& light);
+
+    /// The set that has a constant of this name. Null where none does.
+    static const char* setOf(const std::string& constant);
 
     void resourceGroupScriptingStarted(const Ogre::String& groupName,
                                        std::size_t scriptCount) override;

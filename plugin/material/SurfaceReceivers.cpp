@@ -1,14 +1,10 @@
 #include "material/SurfaceReceivers.h"
 
-#include <OgreCamera.h>
-#include <OgreHardwarePixelBuffer.h>
 #include <OgrePass.h>
 #include <OgreRenderSystem.h>
-#include <OgreRenderTexture.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
 #include <OgreTextureUnitState.h>
-#include <OgreViewport.h>
 
 #include <algorithm>
 
@@ -27,18 +23,6 @@ bool isForShadowMap(const Ogre::TextureUnitState* unit) {
 void SurfaceReceivers::clear() {
     mMaps.clear();
     mModulativeLight = nullptr;
-}
-
-void SurfaceReceivers::setMap(const Ogre::Light& light, const Ogre::Camera& shadowCamera) {
-    Ogre::SceneManager& manager = *shadowCamera.getSceneManager();
-    const Ogre::RenderTarget* const target = shadowCamera.getViewport()->getTarget();
-    const std::size_t count = manager.getShadowTextureConfigList().size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Ogre::TexturePtr& texture = manager.getShadowTexture(i);
-        if (texture->getBuffer()->getRenderTarget() != target) continue;
-        mMaps[&light] = texture;
-        return;
-    }
 }
 
 void SurfaceReceivers::notifyRenderSingleObject(Ogre::Renderable*, const Ogre::Pass* pass,

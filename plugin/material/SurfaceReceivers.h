@@ -6,7 +6,6 @@
 #include <map>
 
 namespace Ogre {
-class Camera;
 class Light;
 class SceneManager;
 } // namespace Ogre
@@ -27,8 +26,7 @@ public:
 
     /// Forgets all maps: a new frame, or another viewer.
     void clear();
-    /// The light's map is the texture that the shadow camera draws.
-    void setMap(const Ogre::Light& light, const Ogre::Camera& shadowCamera);
+    void setMap(const Ogre::Light& light, const Ogre::TexturePtr& map) { mMaps[&light] = map; }
     /// Modulative passes are drawn without lights; the next ones are of this one.
     void setModulativeLight(const Ogre::Light* light) { mModulativeLight = light; }
 

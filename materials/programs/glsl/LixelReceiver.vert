@@ -10,10 +10,12 @@ in vec2 uv0;
 uniform mat4 worldViewProj;
 uniform mat4 world;
 uniform mat4 worldInverseTranspose;
+#ifndef LIXEL_NO_MAP
 uniform vec4 lixelRowU;
 uniform vec4 lixelRowV;
 uniform vec4 lixelRowW;
 uniform vec4 lixelRowDepth;
+#endif
 
 void main()
 {
@@ -22,6 +24,10 @@ void main()
     wsPosition = ws.xyz;
     wsNormal = mat3(worldInverseTranspose) * normal;
     uv = uv0;
+#ifdef LIXEL_NO_MAP
+    mapCoordinate = vec4(0.0, 0.0, -1.0, 0.0);
+#else
     mapCoordinate = vec4(dot(lixelRowU, ws), dot(lixelRowV, ws), dot(lixelRowW, ws),
                          dot(lixelRowDepth, ws));
+#endif
 }

@@ -1,0 +1,174 @@
+#include "material/MaterialCheck.h"
+
+#include "material/MissingMaterials.h"
+#include "material/ProgramCheck.h"
+#include "material/QueuedPasses.h"
+
+#include <OgreLogManager.h>
+#include <OgreMaterial.h>
+#include <OgrePass.h>
+#include <OgrePixelFormat.h>
+#include <OgreRenderSystem.h>
+#include <OgreRenderSystemCapabilities.h>
+#include <OgreRenderable.h>
+#include <OgreRoot.h>
+#include <OgreSceneManager.h>
+#include <OgreTechnique.h>
+#include <OgreTexture.h>
+#include <OgreTextureUnitState.h>
+
+#include <algorithm>
+
+namespace Lixel {
+namespace {
+
+const char* const Manual = " (materials/README.md)";
+
+std::string materialOf(const Ogre::Pass& pass) {
+    return pass.getParent()->getParent()->getName();
+}
+
+std::string quoted(const std::string& name) {
+    return "'" + name + "'";
+}
+
+bool readsShadowMap(const Ogre::Technique& technique) {
+    for (const Ogre::Pass* pass : technique.getPasses())
+        for (const Ogre::TextureUnitState* unit : pass->getTextureUnitStates())
+            if (unit->getContentType() == Ogre::TextureUnitState::CONTENT_SHADOW) return true;
+    return false;
+}
+
+/// Whether OGRE made the pass out of one of the technique's own, for an illumination stage.
+bool isSplitOff(const Ogre::Pass& pass) {
+    const auto& own = pass.getParent()->getPasses();
+    return std::find(own.begin(), own.end(), &pass) == own.end();
+}
+
+const Ogre::RenderSystemCapabilities& capabilities() {
+    return *Ogre::Root::getSingleton().getRenderSystem()->getCapabilities();
+}
+
+bool isLixels(const Ogre::Pass& caster) {
+    return caster.hasVertexProgram() && writesCasterDepth(*caster.getVertexProgramParameters());
+}
+
+} // namespace
+
+MaterialCheck::~MaterialCheck() {
+    listen(false);
+}
+
+void MaterialCheck::listen(bool toCasters) {
+    if (toCasters == mListens) return;
+    mListens = toCasters;
+    if (toCasters)
+        mManager.addRenderObjectListener(this);
+    else
+        mManager.removeRenderObjectListener(this);
+}
+
+void MaterialCheck::beginFrame() {
+    mLooks = mFrame < FirstLooks || mFrame % Interval == 0;
+    ++mFrame;
+    mCasters.clear();
+    mDrawn.clear();
+    mCoarseFormats.clear();
+    listen(mLooks);
+    if (!mLooks) return;
+    for (const std::string& missing : findMissingMaterials(mManager))
+        say(missing + Manual);
+}
+
+void MaterialCheck::checkMap(const Ogre::Texture& texture) {
+    if (!mLooks) return;
+    const Ogre::PixelFormat format = texture.getFormat();
+    constexpr int EnoughBits = 24; // as many as a float's depth in [0, 1] has
+    int bits[4];
+    Ogre::PixelUtil::getBitDepths(format, bits);
+    if (!Ogre::PixelUtil::isDepth(format) && bits[0] < EnoughBits)
+        mCoarseFormats.insert(Ogre::PixelUtil::getFormatName(format));
+}
+
+void MaterialCheck::checkQueue() {
+    if (!mLooks) return;
+    checkCasters();
+    forQueuedPasses(mManager, [this](const Ogre::Pass& pass, bool groupReceives) {
+        checkSurface(pass, groupReceives);
+    });
+}
+
+void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
+    const Ogre::Technique& technique = *pass.getParent();
+    if (!capabilities().hasCapability(Ogre::RSC_FIXED_FUNCTION) &&
+        (!pass.hasVertexProgram() || !pass.hasFragmentProgram())) {
+        say("material " + quoted(materialOf(pass)) +
+            (isSplitOff(pass) && technique.getPass(0)->hasFragmentProgram()
+                 ? " loses its fragment program where OGRE splits its pass for additive shadows, "
+                   "and "
+                   "cannot be drawn: give it one pass of illumination_stage ambient and one of "
+                   "per_light, as Lixel/Surface has"
+                 : " has no programs, and this render system draws nothing without: use "
+                   "Lixel/Surface, or let OGRE's shader system make some") +
+            Manual);
+        return;
+    }
+    if (mManager.isShadowTechniqueIntegrated() && groupReceives && pass.getLightingEnabled() &&
+        technique.getParent()->getReceiveShadows() && !readsShadowMap(technique))
+        say("material " + quoted(materialOf(pass)) +
+            " reads no shadow map, so nothing casts shadows on it: under an integrated shadow "
+            "technique use Lixel/Surface/Integrated, or give it texture units of content_type "
+            "shadow "
+            "and LixelShadow.glsl; or say receive_shadows off" +
+            Manual);
+}
+
+void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
+    const auto check = [&](const std::string& program,
+                           const Ogre::GpuProgramParametersSharedPtr& parameters) {
+        for (const std::string& wrong : findWrongBindings(*parameters))
+            say("program " + quoted(program) + " of material " + quoted(materialOf(pass)) + ": " +
+                wrong + Manual);
+    };
+    if (pass.hasVertexProgram())
+        check(pass.getVertexProgramName(), pass.getVertexProgramParameters());
+    if (pass.hasFragmentProgram())
+        check(pass.getFragmentProgramName(), pass.getFragmentProgramParameters());
+}
+
+void MaterialCheck::checkCasters() {
+    // Other casters go with other receivers: nothing of Lixel's to say.
+    if (std::none_of(mCasters.begin(), mCasters.end(),
+                     [](const auto& caster) { return isLixels(*caster.first); }))
+        return;
+    for (const std::string& format : mCoarseFormats)
+        say("shadow textures of format " + format +
+            " hold too little depth for Lixel/Caster: use SceneManager::setShadowTextureSettings "
+            "with PF_FLOAT32_R");
+    for (const auto& [pass, material] : mCasters) {
+        checkPrograms(*pass);
+        if (!isLixels(*pass))
+            say("what wears material " + quoted(material) + " casts by the caster material " +
+                quoted(materialOf(*pass)) +
+                ", which takes the place of Lixel/Caster and does not write the depth that Lixel's "
+                "receivers compare with: write it by LixelCaster.glsl" +
+                Manual);
+    }
+}
+
+void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const Ogre::Pass* pass,
+                                             const Ogre::AutoParamDataSource*,
+                                             const Ogre::LightList*, bool) {
+    if (mManager._getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) {
+        if (mCasters.count(pass) == 0) mCasters[pass] = renderable->getMaterial()->getName();
+    } else if (mDrawn.insert(pass).second) {
+        checkPrograms(*pass);
+    }
+}
+
+void MaterialCheck::say(const std::string& message) {
+    if (mSaid.insert(message).second)
+        Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
+}
+
+} // namespace Lixel

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <OgreRenderObjectListener.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace Ogre {
+class Pass;
+class SceneManager;
+class Texture;
+} // namespace Ogre
+
+namespace Lixel {
+
+/** Looks at the materials that a scene manager draws with, and says in the log what cannot work.
+
+    Each line names the material and what to do, and is said once: surfaces that OGRE will refuse to
+    draw, or that read no shadow map; programs whose parameters are bound wrongly; casters that
+   write another depth than the rest; shadow textures that hold too little depth.
+
+    Looking costs time, so it is done in the first frames of a scene manager, and then every
+   Interval frames.
+*/
+class MaterialCheck : public Ogre::RenderObjectListener {
+public:
+    /// Frames between two looks: a second at 60 a second.
+    static constexpr unsigned Interval = 60;
+    /// Looks in a row, to begin with: applications often complete a scene after its first frame.
+    static constexpr unsigned FirstLooks = 3;
+
+    explicit MaterialCheck(Ogre::SceneManager& manager) : mManager(manager) {}
+    ~MaterialCheck() override;
+
+    /// A frame begins, in which this scene manager has shadow maps.
+    void beginFrame();
+    /// A map is about to be drawn into a shadow texture.
+    void checkMap(const Ogre::Texture& texture);
+    /// What is queued is about to be drawn.
+    void checkQueue();
+
+    /// Collects passes as they are drawn: which one a caster or receiver gets, OGRE decides then.
+    void notifyRenderSingleObject(Ogre::Renderable* renderable, const Ogre::Pass* pass,
+                                  const Ogre::AutoParamDataSource* source,
+                                  const Ogre::LightList* lights,
+                                  bool suppressRenderStateChanges) override;
+
+private:
+    void listen(bool toCasters);
+    void checkSurface(const Ogre::Pass& pass, bool groupReceives);
+    void checkPrograms(const Ogre::Pass& pass);
+    void checkCasters();
+    void say(const std::string& message);
+
+    Ogre::SceneManager& mManager;
+    unsigned mFrame = 0;
+    bool mLooks = false;
+    bool mListens = false;
+    std::set<std::string> mSaid;
+    /// This frame's caster passes, each with the name of a material whose shadow it draws.
+    std::map<const Ogre::Pass*, std::string> mCasters;
+    /// This frame's other passes, receivers among them.
+    std::set<const Ogre::Pass*> mDrawn;
+    /// Formats of this frame's shadow textures, where they hold too little depth.
+    std::set<std::string> mCoarseFormats;
+};
+
+} // namespace Lixel

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <OgreGpuProgramParams.h>
+
+#include <string>
+#include <vector>
+
+namespace Lixel {
+
+/** What is wrong with how a program's parameters are bound to Lixel's, as lines for the log.
+
+    Told apart by their names are uniforms that begin with `lixel`, as LixelShadow.glsl,
+    LixelCaster.glsl and LixelFog.glsl declare them: each has to be bound to its own `light_custom`
+    number, or be in a shared set that the parameters refer to. Of uniforms with other names,
+   numbers that mean none of Lixel's parameters, but look like one, are found.
+*/
+std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& parameters);
+
+/// Whether a program writes the depth that Lixel's receivers compare with: it has the uniform
+/// lixelCasterDepth.
+bool writesCasterDepth(const Ogre::GpuProgramParameters& parameters);
+
+} // namespace Lixel

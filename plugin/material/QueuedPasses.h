@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+
+namespace Ogre {
+class Pass;
+class SceneManager;
+} // namespace Ogre
+
+namespace Lixel {
+
+/// Calls `visit` once for each pass of solid objects that a scene manager is about to draw, and
+/// says whether its queue group receives shadows.
+void forQueuedPasses(Ogre::SceneManager& manager,
+                     const std::function<void(const Ogre::Pass& pass, bool groupReceives)>& visit);
+
+} // namespace Lixel

@@ -1,0 +1,172 @@
+// What the log says of materials that cannot work: one line, with what to do.
+
+#include "MaterialScene.h"
+
+#include <Lixel/material/ShadowMaterials.h>
+
+namespace Lixel::Tests {
+namespace {
+
+/// Draws two frames, or as many as OGRE lets it.
+void drawIfPossible(MaterialScene& scene) {
+    try {
+        scene.draw();
+        scene.draw();
+    } catch (const Ogre::Exception&) {
+        // OGRE draws nothing without programs.
+    }
+}
+
+TEST(MaterialCheck, SaysNothingOfWhatIsRight) {
+    LogCollector* log = nullptr;
+    for (const auto& [technique, receiver, surface] :
+         {std::tuple(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear", "Lixel/Surface"),
+          std::tuple(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver", "Test/Foreign"),
+          std::tuple(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver", "Test/OwnReceiver"),
+          std::tuple(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "",
+                     "Lixel/Surface/Integrated/Maps6"),
+          std::tuple(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE, "Lixel/Receiver/Modulative",
+                     "Lixel/Surface")}) {
+        MaterialScene scene(technique, receiver);
+        LogCollector collector;
+        log = &collector;
+        scene.wear(surface);
+        scene.draw();
+        scene.draw();
+        EXPECT_EQ(log->count("Lixel:"), 0U)
+            << surface << " under " << technique << ": " << log->all();
+    }
+}
+
+struct WrongCase {
+    const char* name;
+    Ogre::ShadowTechnique technique;
+    const char* receiver;
+    const char* surface;
+    std::vector<const char*> said;
+};
+
+class WrongMaterial : public testing::TestWithParam<WrongCase> {};
+
+TEST_P(WrongMaterial, IsSaidOnceWithWhatToDo) {
+    const WrongCase& wrong = GetParam();
+    MaterialScene scene(wrong.technique, wrong.receiver);
+    LogCollector log;
+    if (!scene.stage.sceneManager().isShadowTechniqueIntegrated())
+        scene.addCube(Ogre::Vector3(4, 0.5F, -4), Ogre::Vector3(1, 1, 1)); // in Lixel/Surface
+    scene.wear(wrong.surface);
+    drawIfPossible(scene);
+    for (const char* said : wrong.said)
+        EXPECT_EQ(log.count(said), 1U) << said << "\nin: " << log.all();
+    EXPECT_EQ(log.count("Lixel:"), wrong.said.size()) << log.all();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, WrongMaterial,
+    testing::Values(
+        WrongCase{"WithoutPrograms",
+                  Ogre::SHADOWTYPE_TEXTURE_MODULATIVE,
+                  "Lixel/Receiver/Modulative",
+                  "Test/FixedFunction",
+                  {"material 'Test/FixedFunction' has no programs"}},
+        WrongCase{"SplitForAdditiveShadows",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                  "Lixel/Receiver",
+                  "Test/OnePass",
+                  {"material 'Test/OnePass' loses its fragment program"}},
+        WrongCase{"ReadsNoMap",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
+                  "",
+                  "Lixel/Surface",
+                  {"material 'Lixel/Surface' reads no shadow map"}},
+        WrongCase{
+            "WrongNumbers",
+            Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
+            "",
+            "Test/OtherNames",
+            {"'first' is bound to light_custom 100, which is parameter 0 of light 100: Lixel's "
+             "parameter 100 is light_custom 6553600",
+             "'second' is bound to light_custom 7077888, parameter 108: there is none",
+             "material 'Test/OtherNames' reads no shadow map"}},
+        WrongCase{"ForeignCaster",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                  "Lixel/Receiver",
+                  "Test/CastsByForeign",
+                  {"what wears material 'Test/CastsByForeign' casts by the caster material "
+                   "'Test/ForeignCaster'"}}),
+    [](const auto& wrong) { return std::string(wrong.param.name); });
+
+TEST(MaterialCheck, SaysHowAScenesReceiverIsBoundWrongly) {
+    for (const auto& [receiver, said] :
+         {std::pair(
+              "Test/WrongNumber",
+              "'lixelRowW' is bound to light_custom 102: it takes `param_named_auto lixelRowW "
+              "light_custom 6684672`"),
+          std::pair("Test/Unbound",
+                    "'lixelSizeBias' is not bound: it takes `param_named_auto lixelSizeBias "
+                    "light_custom 6815744`")}) {
+        MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, receiver);
+        LogCollector log;
+        scene.draw();
+        scene.draw();
+        EXPECT_EQ(log.count(said), 1U) << log.all();
+    }
+}
+
+TEST(MaterialCheck, SaysThatCastersAreNotToldByLights) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    scene.stage.sceneManager().setShadowTextureCasterMaterial(
+        Ogre::MaterialManager::getSingleton().getByName("Test/CasterByLight"));
+    LogCollector log;
+    scene.draw();
+    EXPECT_EQ(log.count("'lixelCasterDepth' is bound to light_custom 6881280: it takes "
+                        "`shared_params_ref Lixel/Caster`"),
+              1U)
+        << log.all();
+}
+
+TEST(MaterialCheck, SaysThatSceneMaterialsAreMissing) {
+    for (const auto& [caster, receiver, said] :
+         {std::tuple("Lixel/Castor", "Lixel/Receiver", "has no shadow caster material"),
+          std::tuple("Lixel/Caster", "Lixel/Reciever", "has no shadow receiver material")}) {
+        MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+        Ogre::SceneManager& manager = scene.stage.sceneManager();
+        auto& materials = Ogre::MaterialManager::getSingleton();
+        manager.setShadowTextureCasterMaterial(materials.getByName(caster));
+        manager.setShadowTextureReceiverMaterial(materials.getByName(receiver));
+        LogCollector log;
+        drawIfPossible(scene);
+        EXPECT_EQ(log.count(said), 1U) << log.all();
+    }
+}
+
+TEST(ShadowMaterials, AreKnownByName) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear");
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    const std::vector<int> before = scene.draw();
+    manager.setShadowTextureCasterMaterial(nullptr);
+    manager.setShadowTextureReceiverMaterial(nullptr);
+    setShadowMaterials(manager, "Lixel/Receiver/Bilinear");
+    EXPECT_EQ(before, scene.draw());
+    try {
+        setShadowMaterials(manager, "Lixel/Reciever");
+        FAIL() << "there is no such material";
+    } catch (const Ogre::ItemIdentityException& error) {
+        const std::string message = error.getDescription();
+        EXPECT_NE(message.find("receiver: there is no material 'Lixel/Reciever'"),
+                  std::string::npos);
+        EXPECT_NE(message.find("Lixel/Receiver/Bilinear"), std::string::npos) << message;
+    }
+    EXPECT_EQ(before, scene.draw()) << "a wrong name changes nothing";
+}
+
+TEST(MaterialCheck, SaysThatAFormatHoldsTooLittleDepth) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    scene.stage.sceneManager().setShadowTextureSettings(512, 3, Ogre::PF_BYTE_RGBA);
+    LogCollector log;
+    scene.draw();
+    EXPECT_EQ(log.count("hold too little depth for Lixel/Caster"), 1U) << log.all();
+}
+
+} // namespace
+} // namespace Lixel::Tests
