@@ -33,7 +33,7 @@ protected:
         }
     }
 
-    static void expectFog(MaterialScene& scene) {
+    static void expectFog(MaterialScene& scene, const std::string& name) {
         scene.stage.sceneManager().setAmbientLight(Ogre::ColourValue(0.2F, 0.2F, 0.2F));
         constexpr double Colour = 0.9;
         const std::vector<int> clear = scene.draw();
@@ -41,7 +41,7 @@ protected:
         scene.stage.sceneManager().setFog(fog.mode, Ogre::ColourValue(0.9F, 0.9F, 0.9F),
                                           fog.density, fog.start, fog.end);
         const std::vector<int> foggy = scene.draw();
-        scene.keepPicture(std::string("fog-") + fog.name);
+        scene.keepPicture("fog-" + name + "-" + fog.name);
         // In the light, in each light's shadow, near and far.
         for (const Ogre::Vector3& ws :
              {Ogre::Vector3(4, 0, 2), Ogre::Vector3(-2, 0, 0), Ogre::Vector3(2, 0, 0),
@@ -58,18 +58,18 @@ protected:
 
 TEST_P(Fog, CoversAdditiveReceiversOnce) {
     MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear");
-    expectFog(scene);
+    expectFog(scene, "additive");
 }
 
 TEST_P(Fog, CoversIntegratedReceiversOnce) {
     MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
     scene.wear("Lixel/Surface/Integrated");
-    expectFog(scene);
+    expectFog(scene, "integrated");
 }
 
 TEST_P(Fog, CoversSurfacesWithoutShadows) {
     MaterialScene scene(Ogre::SHADOWTYPE_NONE, "");
-    expectFog(scene);
+    expectFog(scene, "none");
 }
 
 /// A modulative pass darkens the picture, fog and all; so it has to darken less in the fog.
