@@ -5,6 +5,10 @@
 
 #include <Lixel/material/ShadowMaterials.h>
 
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
 namespace Lixel::Tests {
 namespace {
 
@@ -60,6 +64,37 @@ TEST(Groups, GroupsInTheGlobalPoolFindLixel) {
     Ogre::ResourceGroupManager::getSingleton().createResourceGroup(Game, true);
     addGame(Game);
     expectRecipesWork(scene, Game);
+}
+
+std::string contentOf(const std::string& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+/// As the README has it: without the marks and indents that make it a block of code.
+std::string withoutIndents(const std::string& text) {
+    std::istringstream lines(text);
+    std::string plain;
+    for (std::string line; std::getline(lines, line);)
+        plain += line.substr(std::min(line.find_first_not_of(' '), line.size())) + '\n';
+    return plain;
+}
+
+TEST(Recipes, AreTheReadmes) {
+    const std::string readme = withoutIndents(contentOf(LIXEL_MATERIALS_DIR "/README.md"));
+    for (const char* name : {"MyReceiver.frag", "My.program"}) {
+        const std::string recipe = contentOf(LIXEL_TEST_MEDIA "/game/" + std::string(name));
+        ASSERT_FALSE(recipe.empty());
+        EXPECT_NE(readme.find(withoutIndents(recipe)), std::string::npos) << name;
+    }
+    // The README shows the wall, and then the receiver and what wears it.
+    const std::string materials = withoutIndents(contentOf(LIXEL_TEST_MEDIA "/game/My.material"));
+    const std::size_t wall = materials.find("material My/Wall");
+    const std::size_t receiver = materials.find("material My/Receiver");
+    ASSERT_LT(wall, receiver);
+    EXPECT_NE(readme.find(materials.substr(wall, receiver - wall)), std::string::npos);
+    EXPECT_NE(readme.find(materials.substr(receiver)), std::string::npos);
 }
 
 } // namespace

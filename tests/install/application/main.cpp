@@ -1,5 +1,6 @@
 // A ball above the ground, and the shadow that Lixel gives it: application [SCENE_MANAGER_TYPE]
 #include <Lixel/headless/Headless.h>
+#include <Lixel/material/ShadowMaterials.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 #include <Ogre.h>
 #include <iostream>
@@ -36,11 +37,9 @@ int main(int argc, char** argv) {
     place(camera, {40, 120, 160})->lookAt({40, 0, 0}, Ogre::Node::TS_WORLD); // at the shadow
     window->addViewport(camera);
 
-    auto& materials = Ogre::MaterialManager::getSingleton();
     scene->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE);
     scene->setShadowTextureSettings(1024, 1, Ogre::PF_FLOAT32_R);
-    scene->setShadowTextureCasterMaterial(materials.getByName("Lixel/Caster"));
-    scene->setShadowTextureReceiverMaterial(materials.getByName("Lixel/Receiver/Bilinear"));
+    Lixel::setShadowMaterials(*scene, "Lixel/Receiver/Bilinear");
     scene->setShadowTextureSelfShadow(true);
     sun->setCustomShadowCameraSetup(Lixel::XPSMShadowCameraSetup::create());
 
