@@ -52,7 +52,7 @@ install(CODE "
   set(source \"${CMAKE_CURRENT_LIST_DIR}\")
   set(generated \"${PROJECT_BINARY_DIR}/installed\")
   set(LIXEL_CFG_OGRE_PLUGINS \"${OGRE_PLUGIN_DIR}\")
-  set(LIXEL_CFG_OGRE_MEDIA \"${OGRE_MEDIA_DIR}\")
+  set(LIXEL_CFG_OGRE_SHADOWS \"${LIXEL_OGRE_SHADOW_MEDIA}\")
   set(LIXEL_CFG_PLUGIN \"\${CMAKE_INSTALL_PREFIX}/${LIXEL_INSTALL_PLUGINS}/Plugin_Lixel.so\")
   set(LIXEL_CFG_MATERIALS \"\${CMAKE_INSTALL_PREFIX}/${LIXEL_INSTALL_SHARE}/materials\")
   foreach(file plugins.cfg resources.cfg)

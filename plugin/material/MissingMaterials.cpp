@@ -1,5 +1,7 @@
 #include "material/MissingMaterials.h"
 
+#include "scene/OgreVersions.h"
+
 #include <OgreMaterial.h>
 #include <OgreMaterialManager.h>
 #include <OgrePass.h>
@@ -11,24 +13,6 @@
 
 namespace Lixel {
 namespace {
-
-#if OGRE_VERSION_MAJOR < 14
-/// OGRE has no function that tells the two materials.
-class Access : public Ogre::SceneManager {
-public:
-    static bool hasCaster(Ogre::SceneManager& manager) {
-        return (manager.*(&Access::mShadowRenderer)).mShadowTextureCustomCasterPass != nullptr;
-    }
-    static bool hasReceiver(Ogre::SceneManager& manager) {
-        return (manager.*(&Access::mShadowRenderer)).mShadowTextureCustomReceiverPass != nullptr;
-    }
-};
-#else
-struct Access {
-    static bool hasCaster(Ogre::SceneManager&) { return true; }
-    static bool hasReceiver(Ogre::SceneManager&) { return true; }
-};
-#endif
 
 bool canDraw(const char* material) {
     if (Ogre::Root::getSingleton().getRenderSystem()->getCapabilities()->hasCapability(
@@ -46,12 +30,12 @@ bool canDraw(const char* material) {
 
 std::vector<std::string> findMissingMaterials(Ogre::SceneManager& manager) {
     std::vector<std::string> missing;
-    if (!Access::hasCaster(manager) && !canDraw("Ogre/TextureShadowCaster"))
+    if (!ShadowMaterialAccess::hasCaster(manager) && !canDraw("Ogre/TextureShadowCaster"))
         missing.push_back("scene manager '" + manager.getName() +
                           "' has no shadow caster material, and OGRE's own cannot be drawn here: "
                           "give setShadowTextureCasterMaterial 'Lixel/Caster'. A name that no "
                           "material has is none");
-    if (!manager.isShadowTechniqueIntegrated() && !Access::hasReceiver(manager) &&
+    if (!manager.isShadowTechniqueIntegrated() && !ShadowMaterialAccess::hasReceiver(manager) &&
         !canDraw("Ogre/TextureShadowReceiver"))
         missing.push_back(
             "scene manager '" + manager.getName() +

@@ -1,5 +1,7 @@
 #include "material/QueuedPasses.h"
 
+#include "scene/OgreVersions.h"
+
 #include <OgreRenderQueue.h>
 #include <OgreRenderQueueSortingGrouping.h>
 #include <OgreSceneManager.h>
@@ -16,17 +18,6 @@ public:
 
     std::set<const Ogre::Pass*> passes;
 };
-
-template <typename Visit>
-void forPriorityGroups(const Ogre::RenderQueueGroup& group, const Visit& visit) {
-#if OGRE_VERSION_MAJOR > 1
-    for (const auto& [priority, renderables] : group.getPriorityGroups())
-        visit(*renderables);
-#else
-    for (auto groups = group.getIterator(); groups.hasMoreElements();)
-        visit(*groups.getNext());
-#endif
-}
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "material/ReceiverParameters.h"
 #include "material/SharedParameters.h"
 #include "material/SurfaceReceivers.h"
+#include "scene/OgreVersions.h"
 
 #include <OgreCamera.h>
 #include <OgreHardwarePixelBuffer.h>
@@ -36,15 +37,15 @@ bool hasReceiverPasses(const Ogre::SceneManager& manager) {
 } // namespace
 
 /// One scene manager's receivers: unshadowed until a map is fitted, and modulative ones served.
-class ShadowParameters::SceneListener : public Ogre::SceneManager::Listener {
+class ShadowParameters::SceneListener : public SceneManagerListener {
 public:
     SceneListener(ShadowParameters& owner, Ogre::SceneManager& manager)
         : mOwner(owner), mManager(manager), mSurfaceReceivers(manager), mCheck(manager) {
-        mManager.addListener(this);
+        addSceneManagerListener(mManager, *this);
     }
     ~SceneListener() override {
         if (mListensToObjects) mManager.removeRenderObjectListener(&mSurfaceReceivers);
-        mManager.removeListener(this);
+        removeSceneManagerListener(mManager, *this);
     }
 
     void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
@@ -60,8 +61,7 @@ public:
         mMaps.clear();
         mSplits.clear();
         mSurfaceReceivers.clear();
-        for (const auto& [name, object] :
-             mManager.getMovableObjects(Ogre::LightFactory::FACTORY_TYPE_NAME))
+        for (const auto& [name, object] : mManager.getMovableObjects(LightTypeName))
             bindNoMaps(static_cast<Ogre::Light&>(*object));
     }
 

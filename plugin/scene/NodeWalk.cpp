@@ -1,12 +1,10 @@
 #include "scene/NodeWalk.h"
 
 #include "scene/Octants.h"
+#include "scene/OgreVersions.h"
 
 #include <OgreSceneManager.h>
-#include <OgreSceneManagerEnumerator.h>
 #include <OgreSceneNode.h>
-
-#include <typeinfo>
 
 namespace Lixel {
 namespace {
@@ -42,7 +40,7 @@ bool collectNodes(Ogre::SceneManager& manager, const CullVolume& volume,
                   std::vector<Ogre::SceneNode*>& nodes) {
     nodes.clear();
     if (collectFromOctants(manager, volume, nodes)) return true;
-    const bool isDefault = typeid(manager) == typeid(Ogre::DefaultSceneManager);
+    const bool isDefault = isDefaultSceneManager(manager);
     if (isDefault)
         GraphWalk(volume, nodes).visit(*manager.getRootSceneNode());
     else

@@ -1,5 +1,7 @@
 #include "scene/SurveyCache.h"
 
+#include "scene/OgreVersions.h"
+
 #include <OgreCamera.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
@@ -13,7 +15,7 @@ namespace Lixel {
 namespace {
 
 /// One scene manager's survey, which ends with the preparation that it was taken for.
-class CachedSurvey : public Ogre::SceneManager::Listener {
+class CachedSurvey : public SceneManagerListener {
 public:
     const TimedSurvey& get(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
                            double distance) {
@@ -67,7 +69,7 @@ const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& v
     std::unique_ptr<CachedSurvey>& entry = cache()[manager];
     if (!entry) {
         entry = std::make_unique<CachedSurvey>();
-        manager->addListener(entry.get());
+        addSceneManagerListener(*manager, *entry);
     }
     return entry->get(viewer, viewport, shadowDistance);
 }

@@ -308,8 +308,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     if (result.hasMap()) {
         CasterVolume& volume = memory.volumes.at(iteration);
         volume.set(result, survey.wsOrigin());
-        shadowCamera->setCullingFrustum(&volume);
-        armShadowPass(*shadowCamera);
+        armShadowPass(*shadowCamera, volume);
     } else {
         skipShadowPass(*shadowCamera);
     }

@@ -1,5 +1,7 @@
 #include "setup/LightGuard.h"
 
+#include "scene/OgreVersions.h"
+
 #include <OgreLight.h>
 #include <OgreLogManager.h>
 #include <OgreSceneManager.h>
@@ -25,7 +27,7 @@ class Guard : public Ogre::SceneManager::Listener {
 public:
     void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
         for (const auto& [name, object] :
-             source->getMovableObjects(Ogre::LightFactory::FACTORY_TYPE_NAME)) {
+             source->getMovableObjects(LightTypeName)) {
             Ogre::Light& light = static_cast<Ogre::Light&>(*object);
             const bool usable = isUsable(light);
             if (!usable && light.getVisible()) {

@@ -1,5 +1,7 @@
 #include "setup/ShadowPass.h"
 
+#include "scene/OgreVersions.h"
+
 #include <OgreCamera.h>
 #include <OgreRenderSystem.h>
 #include <OgreRenderTarget.h>
@@ -18,7 +20,8 @@ class ShadowPassListener : public Ogre::RenderTargetListener {
 public:
     void arm(Ogre::Camera& camera) {
         Ogre::RenderTarget* const target = camera.getViewport()->getTarget();
-        mArmed[target] = &camera;
+        // The first time is what has to come back.
+        mArmed[target].try_emplace(&camera, camera.getCullingFrustum());
         target->addListener(this); // once, however often it is called
     }
 
@@ -30,8 +33,10 @@ public:
         const auto armed = mArmed.find(event.source);
         if (armed == mArmed.end()) return;
         setDepthClamp(false);
-        armed->second->setCullingFrustum(nullptr);
-        armed->second->getViewport()->setAutoUpdated(true);
+        for (const auto& [camera, cullingFrustum] : armed->second) {
+            camera->setCullingFrustum(cullingFrustum);
+            camera->getViewport()->setAutoUpdated(true);
+        }
         mArmed.erase(armed);
     }
 
@@ -40,7 +45,9 @@ private:
         if (canClampDepth()) Ogre::Root::getSingleton().getRenderSystem()->_setDepthClamp(enabled);
     }
 
-    std::map<Ogre::RenderTarget*, Ogre::Camera*> mArmed;
+    /// Cameras that will draw into a target, and the culling frusta that they had. Several may share
+    /// one since OGRE 14, which also gives each a frustum of its own and expects it to stay.
+    std::map<Ogre::RenderTarget*, std::map<Ogre::Camera*, Ogre::Frustum*>> mArmed;
 };
 
 ShadowPassListener& listener() {
@@ -56,13 +63,14 @@ bool canClampDepth() {
            system->getCapabilities()->hasCapability(Ogre::RSC_DEPTH_CLAMP);
 }
 
-void armShadowPass(Ogre::Camera& shadowCamera) {
+void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum) {
     listener().arm(shadowCamera);
+    shadowCamera.setCullingFrustum(&cullingFrustum);
 }
 
 void skipShadowPass(Ogre::Camera& shadowCamera) {
     Ogre::Viewport* const viewport = shadowCamera.getViewport();
-    viewport->clear(Ogre::FBT_COLOUR | Ogre::FBT_DEPTH, Ogre::ColourValue::White);
+    clearViewport(*viewport, Ogre::FBT_COLOUR | Ogre::FBT_DEPTH, Ogre::ColourValue::White);
     viewport->setAutoUpdated(false);
     listener().arm(shadowCamera);
 }

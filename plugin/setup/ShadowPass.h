@@ -2,6 +2,7 @@
 
 namespace Ogre {
 class Camera;
+class Frustum;
 } // namespace Ogre
 
 namespace Lixel {
@@ -14,8 +15,8 @@ namespace Lixel {
 */
 
 /// Casters nearer than the near plane are clamped onto it instead of clipped, where the render
-/// system can; and the camera's culling frustum is taken off it after the pass.
-void armShadowPass(Ogre::Camera& shadowCamera);
+/// system can; and until after the pass another frustum decides what the camera draws.
+void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
 
 /// The texture is cleared to "lit" and no caster is drawn into it.
 void skipShadowPass(Ogre::Camera& shadowCamera);

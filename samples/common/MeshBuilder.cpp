@@ -33,7 +33,7 @@ Vector2 outward(const ProfilePoint& from, const ProfilePoint& to) {
 }
 
 void fillVertexData(Ogre::VertexData& data, const void* bytes, std::size_t count) {
-    data.vertexCount = count;
+    data.vertexCount = static_cast<uint32>(count);
     Ogre::VertexDeclaration& declaration = *data.vertexDeclaration;
     std::size_t offset = 0;
     offset += declaration.addElement(0, offset, Ogre::VET_FLOAT3, Ogre::VES_POSITION).getSize();
@@ -46,7 +46,7 @@ void fillVertexData(Ogre::VertexData& data, const void* bytes, std::size_t count
 }
 
 void fillIndexData(Ogre::IndexData& data, const std::vector<uint32>& indices, bool wide) {
-    data.indexCount = indices.size();
+    data.indexCount = static_cast<uint32>(indices.size());
     data.indexBuffer = Ogre::HardwareBufferManager::getSingleton().createIndexBuffer(
         wide ? Ogre::HardwareIndexBuffer::IT_32BIT : Ogre::HardwareIndexBuffer::IT_16BIT,
         indices.size(), Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY, true);

@@ -86,8 +86,8 @@ Ogre::MaterialPtr makeSurface(const std::string& name, const Ogre::ColourValue& 
                         "resource locations and initialise their group",
                     "makeSurface");
     if (const Ogre::MaterialPtr old = materials.getByName(name)) materials.remove(old);
-    Ogre::MaterialPtr surface =
-        original->clone(name, true, Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME);
+    Ogre::MaterialPtr surface = materials.create(name, Ogre::RGN_DEFAULT);
+    original->copyDetailsTo(surface);
     bool textured = textureName.empty();
     for (const Ogre::Technique* technique : surface->getTechniques()) {
         for (Ogre::Pass* pass : technique->getPasses()) {

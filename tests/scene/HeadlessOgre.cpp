@@ -65,7 +65,7 @@ HeadlessOgre::HeadlessOgre() {
     mWindow = mRoot->createRenderWindow("window", WindowSize, WindowSize, false, &parameters);
     // Without these OGRE refuses any shadow technique.
     Ogre::ResourceGroupManager::getSingleton().addResourceLocation(
-        OGRE_MEDIA_DIR "/ShadowVolume", "FileSystem", Ogre::RGN_INTERNAL);
+        OGRE_SHADOW_MEDIA, "FileSystem", Ogre::RGN_INTERNAL);
     Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
 }
 

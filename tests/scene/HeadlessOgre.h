@@ -5,7 +5,6 @@
 #include <OgreRenderWindow.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
-#include <OgreSceneManagerEnumerator.h>
 
 #include <memory>
 #include <string>
