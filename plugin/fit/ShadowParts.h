@@ -25,12 +25,17 @@ LIXEL_API bool needsParts(const ShadowLight& light);
 
 /// What one of a light's maps is for.
 struct ShadowPart {
+    /// The most that a light has.
+    static constexpr std::size_t Most = 8;
+    /// A part has a bound with each of the others.
+    static constexpr std::size_t MostBounds = Most - 1;
+
     /// The light as this map sees it: a face of a point light is a spot.
     ShadowLight light;
     /// (n, d): n . x + d is the part's function, in world axes relative to the problem's origin.
     Vec4 wsRow = Vec4::Zero();
     /// The half spaces in which that is greatest.
-    std::array<Plane, 7> wsBounds{};
+    std::array<Plane, MostBounds> wsBounds{};
     std::size_t boundCount = 0;
     /// Depth in front of the viewer at which a slice ends, in world units; infinite for the last
     /// one, and for parts of another kind.
@@ -44,7 +49,7 @@ struct ShadowPart {
 
 /// The parts of a problem, one map each.
 struct ShadowParts {
-    static constexpr std::size_t Capacity = 8;
+    static constexpr std::size_t Capacity = ShadowPart::Most;
     std::array<ShadowPart, Capacity> parts{};
     std::size_t count = 0;
 

@@ -27,7 +27,7 @@ struct Judgement {
     double greatestDepth;
     double nearDistance;
     /// Distances from the planes around the problem's part, of light-space points.
-    std::array<std::array<double, 4>, 7> boundsFromLs{};
+    std::array<std::array<double, 4>, ShadowPart::MostBounds> boundsFromLs{};
     std::size_t boundCount = 0;
     std::span<const Vec2> liHull;
 };
