@@ -4,6 +4,7 @@
 #include "fit/VectorClones.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace Lixel {
 namespace {
@@ -50,11 +51,17 @@ struct FourVertices {
     Four y;
 };
 
-[[gnu::always_inline]] inline void loadVertices(const Vec2* first, FourVertices& result) {
+// Two of them fill a register: nothing lies between.
+static_assert(sizeof(std::array<Vec2, 2>) == sizeof(Four));
+
+/// @param vertices one after the other
+[[gnu::always_inline]] inline void loadVertices(std::span<const Vec2, 4> vertices,
+                                                FourVertices& result) {
     Four low;
     Four high;
-    load(first[0].data(), low);
-    load(first[2].data(), high);
+    // Of the vertices themselves: a vertex' own data() ends with its two numbers.
+    std::memcpy(&low, vertices.first<2>().data(), sizeof(low));
+    std::memcpy(&high, vertices.last<2>().data(), sizeof(high));
     result.x = __builtin_shufflevector(low, high, 0, 4, 2, 6);
     result.y = __builtin_shufflevector(low, high, 1, 5, 3, 7);
 }
@@ -79,8 +86,8 @@ void findBeyond(std::span<const Vec2> hull, const Vec2& point, double slack, Bey
     for (; i + 4 < n; i += 4) {
         FourVertices from;
         FourVertices to;
-        loadVertices(&hull[i], from);
-        loadVertices(&hull[i + 1], to);
+        loadVertices(hull.subspan(i).first<4>(), from);
+        loadVertices(hull.subspan(i + 1).first<4>(), to);
         const Four edgeX = to.x - from.x;
         const Four edgeY = to.y - from.y;
         const Four side = edgeX * (point.y() - from.y) - edgeY * (point.x() - from.x);
@@ -105,7 +112,7 @@ void findBeyond(std::span<const Vec2> hull, const Vec2& point, double slack, Bey
 /// Finds which of four points lie beyond an edge, as bits.
 /// @param slack as above
 LIXEL_VECTOR_CLONES
-unsigned lanesBeyond(std::span<const Vec2> hull, const Vec2* points, double slack) {
+unsigned lanesBeyond(std::span<const Vec2> hull, std::span<const Vec2, 4> points, double slack) {
     FourVertices four;
     loadVertices(points, four);
     FourMask beyond{};
@@ -176,7 +183,7 @@ void ImageHull::add(std::span<const Vec2> points) {
         const std::size_t count = std::min<std::size_t>(points.size(), 4);
         // Most points are within.
         unsigned rest = (1U << count) - 1;
-        if (count == 4) rest = lanesBeyond(mHull, points.data(), OnEdge * mCoordinate);
+        if (count == 4) rest = lanesBeyond(mHull, points.first<4>(), OnEdge * mCoordinate);
         for (; rest != 0; rest &= rest - 1)
             addOne(points[static_cast<std::size_t>(std::countr_zero(rest))]);
         points = points.subspan(count);
