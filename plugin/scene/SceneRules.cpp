@@ -75,12 +75,12 @@ bool SceneRules::casts(const Ogre::MovableObject& object) const {
     return !hasRenderingDistance(object, *mCamera) || !isBeyondRenderingDistance(object, *mCamera);
 }
 
-bool SceneRules::receives(Ogre::MovableObject& object) const {
+bool SceneRules::receives(Ogre::MovableObject& object, BareParts& bare) const {
     if (hasRenderingDistance(object, *mCamera) &&
         isBeyondRenderingDistance(object, *mCamera->getLodCamera()))
         return false;
-    const auto asked = [this](Ogre::MovableObject& body) {
-        return (mCastersReceive || !body.getCastShadows()) && body.getReceivesShadows();
+    const auto asked = [&](Ogre::MovableObject& body) {
+        return (mCastersReceive || !body.getCastShadows()) && bare.receives(body);
     };
     return mSceneManager->getRenderQueue()
                ->getQueueGroup(object.getRenderQueueGroup())

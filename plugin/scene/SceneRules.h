@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/Types.h"
+#include "scene/BareParts.h"
 
 namespace Ogre {
 class Camera;
@@ -31,8 +31,8 @@ public:
     /// distance.
     bool casts(const Ogre::MovableObject& object) const;
     /// Whether it receives, of those that are drawn: as its rendering distance, self-shadowing, its
-    /// render queue group and its materials have it.
-    bool receives(Ogre::MovableObject& object) const;
+    /// render queue group and its materials have it. @param bare for parts without one
+    bool receives(Ogre::MovableObject& object, BareParts& bare) const;
 
 private:
     const Ogre::Camera* mCamera = nullptr;

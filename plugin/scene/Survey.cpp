@@ -68,7 +68,7 @@ void Survey::visit(Ogre::MovableObject& object) {
     const Ogre::AxisAlignedBox& bounds = object.getWorldBoundingBox();
     if (bounds.isNull()) return;
     if (bounds.isInfinite()) {
-        const bool receives = mRules.receives(object);
+        const bool receives = mRules.receives(object, mBareParts);
         if (receives) mReceivers.addUnbounded();
         if (mUnboundedName.empty() && (receives || mRules.casts(object)))
             mUnboundedName = object.getName();
@@ -76,7 +76,8 @@ void Survey::visit(Ogre::MovableObject& object) {
     }
     const Box box = relativeBox(bounds, mWsOrigin);
     // Asking the materials is the dearest question, so it comes last.
-    if (mView.classify(box) == ConvexVolume::Side::Outside || !mRules.receives(object)) return;
+    if (mView.classify(box) == ConvexVolume::Side::Outside || !mRules.receives(object, mBareParts))
+        return;
     const std::size_t index = mReceivers.size();
     mReceivers.add(box);
     if (mReceivers.size() > index) {

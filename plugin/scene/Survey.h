@@ -35,8 +35,8 @@ namespace Lixel {
     Boxes of objects that OGRE itself moves later in the frame (auto-tracking nodes, instance
     batches moved by nodes) are last frame's.
 
-    Nothing is kept from one survey to the next but memory, and the shapes of meshes
-    (MeshShapes.h).
+    Nothing is kept from one survey to the next but memory, the shapes of meshes (MeshShapes.h), and
+    which objects without materials the log was told of (BareParts.h).
 */
 class LIXEL_API Survey {
 public:
@@ -75,6 +75,7 @@ private:
     void addSurface(const Ogre::MovableObject& object, std::size_t receiver);
 
     SceneRules mRules;
+    BareParts mBareParts;
     ShadowViewer mViewer;
     Vec3 mWsOrigin = Vec3::Zero();
     BoxSet mReceivers;
