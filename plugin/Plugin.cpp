@@ -1,6 +1,7 @@
 #include "Plugin.h"
 
 #include <Lixel/material/ShadowParameters.h>
+#include <Lixel/setup/Detach.h>
 #include <Lixel/setup/LightGuard.h>
 
 #include <OgreRoot.h>
@@ -24,6 +25,8 @@ void Plugin::initialise() {
 void Plugin::shutdown() {
     Ogre::Root::getSingleton().removeFrameListener(this);
     mShadowParameters.reset();
+    // The library may be unloaded next, under scenes that live on.
+    detachFromOgre();
 }
 
 bool Plugin::frameStarted(const Ogre::FrameEvent&) {

@@ -74,4 +74,10 @@ const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& v
     return entry->get(viewer, viewport, shadowDistance);
 }
 
+void dropSurveys() {
+    for (const auto& [manager, survey] : cache())
+        removeSceneManagerListener(*manager, *survey);
+    cache().clear();
+}
+
 } // namespace Lixel

@@ -24,4 +24,7 @@ struct TimedSurvey {
 LIXEL_API const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
                                        double shadowDistance);
 
+/// Forgets all surveys, and leaves nothing behind in scene managers.
+LIXEL_API void dropSurveys();
+
 } // namespace Lixel

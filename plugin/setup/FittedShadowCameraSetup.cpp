@@ -2,9 +2,12 @@
 
 #include "scene/CasterSearch.h"
 #include "scene/CasterVolume.h"
+#include "scene/Identity.h"
 #include "scene/OgreMath.h"
+#include "scene/SceneWatch.h"
 #include "scene/SurveyCache.h"
 #include "setup/LightGuard.h"
+#include "setup/News.h"
 #include "setup/ShadowMapObserver.h"
 #include "setup/ShadowPass.h"
 
@@ -64,9 +67,11 @@ void logWarning(const Ogre::String& message) {
     Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
 }
 
-/// A light that happens to shadow nothing is no news; input that cannot be drawn is.
+/// What the log is told of a light beside reasons, as kinds of news behind these.
+enum Trouble : unsigned { TooFewTextures = 24, NoMapsOfItsOwn, BodyWithoutBounds };
+static_assert(static_cast<unsigned>(FitReason::TooFewMaps) < TooFewTextures);
+
 void logReason(const Ogre::Light& light, FitReason reason) {
-    if (reason < FitReason::Unbounded) return;
     Ogre::String message = "no shadow map for light '" + light.getName() + "': " + toString(reason);
     if (reason == FitReason::TooFewMaps)
         message +=
@@ -110,6 +115,12 @@ void place(Ogre::Camera& camera, const ShadowFit& fit, const Vec3& wsOrigin) {
 
 } // namespace
 
+/// What the log was told of one light.
+struct FittedShadowCameraSetup::LightNews : News {
+    /// Once for good: to find it out costs the fits of what is left over.
+    bool toldOfParts = false;
+};
+
 /// What is remembered of one light and viewer.
 struct FittedShadowCameraSetup::LightMemory {
     DivisionMemory division;
@@ -126,26 +137,38 @@ struct FittedShadowCameraSetup::LightMemory {
     std::array<FitState, ShadowParts::Capacity> states;
     /// Of each map.
     std::array<CasterVolume, ShadowParts::Capacity> volumes;
-    std::array<FitReason, ShadowParts::Capacity> lastReasons{};
-    bool warnedUnbounded = false;
-    bool warnedMaps = false;
-    bool warnedParts = false;
     unsigned long lastFrame = 0;
 };
 
-struct FittedShadowCameraSetup::Memory {
-    using Key = std::pair<const Ogre::Light*, const Ogre::Camera*>;
-    std::map<Key, std::unique_ptr<LightMemory>> lights;
-    unsigned long lastSweep = 0;
+/// Goes with its scene manager: caster volumes are OGRE's own frustums, which must not outlive it.
+struct FittedShadowCameraSetup::Memory : SceneWatcher {
+    using LightAndViewer = std::pair<Identity, Identity>;
+    struct Scene {
+        std::map<LightAndViewer, std::unique_ptr<LightMemory>> lights;
+        std::map<Identity, LightNews> news;
+        unsigned long lastSweep = 0;
+    };
+    std::map<const Ogre::SceneManager*, Scene> scenes;
 
-    LightMemory& of(const Key& key, unsigned long frame) {
-        if (frame - lastSweep > ForgetAfterFrames) {
-            std::erase_if(lights, [&](const auto& entry) {
+    void sceneGone(Ogre::SceneManager& sceneManager) override { scenes.erase(&sceneManager); }
+
+    Scene& of(Ogre::SceneManager& sceneManager, unsigned long frame) {
+        watchScene(sceneManager);
+        Scene& scene = scenes[&sceneManager];
+        if (frame - scene.lastSweep > ForgetAfterFrames) {
+            std::erase_if(scene.lights, [&](const auto& entry) {
                 return frame - entry.second->lastFrame > ForgetAfterFrames;
             });
-            lastSweep = frame;
+            std::erase_if(scene.news, [&](const auto& entry) {
+                return entry.second.isOver(frame) && !entry.second.toldOfParts;
+            });
+            scene.lastSweep = frame;
         }
-        std::unique_ptr<LightMemory>& memory = lights[key];
+        return scene;
+    }
+
+    static LightMemory& of(Scene& scene, const LightAndViewer& key, unsigned long frame) {
+        std::unique_ptr<LightMemory>& memory = scene.lights[key];
         if (!memory) memory = std::make_unique<LightMemory>();
         memory->lastFrame = frame;
         return *memory;
@@ -173,25 +196,24 @@ void FittedShadowCameraSetup::setDepthBias(Ogre::Real worldUnits) {
 
 std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
                                             const Ogre::Camera& shadowCamera,
-                                            Ogre::SceneManager& sceneManager, LightMemory& memory) {
+                                            Ogre::SceneManager& sceneManager, LightNews& news) {
+    const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
     const std::size_t wanted = sceneManager.getShadowTextureCountPerLightType(light.getType());
     if (wanted <= 1) return 1;
     if (!sceneManager.isShadowTechniqueIntegrated()) {
-        if (!memory.warnedMaps)
+        if (news.isNew(NoMapsOfItsOwn, frame))
             Ogre::LogManager::getSingleton().logError(
                 "Lixel: light '" + light.getName() + "' has " + std::to_string(wanted) +
                 " shadow textures, and OGRE uses more than one of a light only under an "
                 "integrated shadow technique, such as SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED; it "
                 "gets one map");
-        memory.warnedMaps = true;
         return 1;
     }
     const std::size_t left = texturesFrom(shadowCamera, sceneManager);
-    if (left < wanted && !memory.warnedMaps)
+    if (left < wanted && news.isNew(TooFewTextures, frame))
         logWarning("light '" + light.getName() + "' should have " + std::to_string(wanted) +
                    " shadow maps, and there are textures for " + std::to_string(left) +
                    " (SceneManager::setShadowTextureCount)");
-    memory.warnedMaps = left < wanted;
     return std::clamp<std::size_t>(std::min(wanted, left), 1, ShadowParts::Capacity);
 }
 
@@ -224,7 +246,7 @@ ShadowParts FittedShadowCameraSetup::divide(const ShadowProblem& problem, std::s
 
 ShadowFit FittedShadowCameraSetup::fitNext(const ShadowProblem& problem, const Ogre::Light& light,
                                            std::size_t mapsLeft, LightMemory& memory,
-                                           const ShadowPart*& part) const {
+                                           LightNews& news, const ShadowPart*& part) const {
     ShadowFit result;
     result.reason = memory.parts.count == 0 ? FitReason::TooFewMaps : FitReason::NothingShadowed;
     part = &Nowhere;
@@ -240,12 +262,11 @@ ShadowFit FittedShadowCameraSetup::fitNext(const ShadowProblem& problem, const O
     }
     if (mapsLeft > 1) return result;
 
-    // Said once: it costs the fits of what is left over.
-    for (; memory.nextPart < memory.parts.count && !memory.warnedParts; ++memory.nextPart) {
+    for (; memory.nextPart < memory.parts.count && !news.toldOfParts; ++memory.nextPart) {
         if (!fitPart(memory.nextPart).hasMap()) continue;
         logWarning("light '" + light.getName() +
                    "' needs more shadow maps than it has: some of its shadows are missing");
-        memory.warnedParts = true;
+        news.toldOfParts = true;
     }
     return result;
 }
@@ -257,9 +278,12 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     // The camera's scene manager is the one we were handed, and not const.
     Ogre::SceneManager& sceneManager = *viewer->getSceneManager();
     guardLights(sceneManager);
-    LightMemory& memory =
-        mMemory->of({light, viewer}, Ogre::Root::getSingleton().getNextFrameNumber());
-    if (iteration == 0) memory.maps = mapsOf(*light, *shadowCamera, sceneManager, memory);
+    const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
+    Memory::Scene& scene = mMemory->of(sceneManager, frame);
+    const Identity identity = identityOf(*light);
+    LightMemory& memory = Memory::of(scene, {identity, identityOf(*viewer)}, frame);
+    LightNews& news = scene.news[identity];
+    if (iteration == 0) memory.maps = mapsOf(*light, *shadowCamera, sceneManager, news);
     const std::size_t maps = memory.maps;
     if (iteration >= maps) return skipShadowPass(*shadowCamera);
 
@@ -301,7 +325,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
         memory.nextPart = 0;
     }
     const ShadowPart* part = nullptr;
-    const ShadowFit result = fitNext(problem, *light, maps - iteration, memory, part);
+    const ShadowFit result = fitNext(problem, *light, maps - iteration, memory, news, part);
     const double fitTime = since(fitBegin);
 
     place(*shadowCamera, result, survey.wsOrigin());
@@ -312,14 +336,13 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     } else {
         skipShadowPass(*shadowCamera);
     }
-    FitReason& lastReason = memory.lastReasons.at(iteration);
-    if (result.reason != lastReason) logReason(*light, result.reason);
-    lastReason = result.reason;
-    const bool unbounded = !survey.unboundedName().empty();
-    if (unbounded && result.hasMap() && !memory.warnedUnbounded)
+    // A light that happens to shadow nothing is no news; input that cannot be drawn is.
+    if (result.reason >= FitReason::Unbounded &&
+        news.isNew(static_cast<unsigned>(result.reason), frame))
+        logReason(*light, result.reason);
+    if (!survey.unboundedName().empty() && result.hasMap() && news.isNew(BodyWithoutBounds, frame))
         logWarning("'" + survey.unboundedName() + "' has no bounds; the shadow map of light '" +
                    light->getName() + "' is focused as if it were everywhere in view");
-    memory.warnedUnbounded = unbounded;
 
     publishShadowMap({.sceneManager = sceneManager,
                       .viewer = *viewer,

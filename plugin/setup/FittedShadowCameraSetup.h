@@ -38,7 +38,12 @@ struct DivisionMemory {
     the log says so.
 
     Where there is no map to draw (a light that shadows nothing in view, or bad input) no caster is
-    drawn, everything is lit, and the log says why once.
+    drawn and everything is lit. Of bad input the log says why: one line for each light and reason,
+    whichever of its maps and viewers it is, and no other until the light had nothing wrong for 600
+    frames, so that input which is bad in every other frame does not flood it.
+
+    A setup may outlive the lights, cameras and scene managers that it was used with, and Root; a
+    new light or camera is another one, even at the address and by the name of an old one.
 */
 class LIXEL_API FittedShadowCameraSetup : public Ogre::ShadowCameraSetup {
 public:
@@ -102,14 +107,15 @@ protected:
 
 private:
     struct LightMemory;
+    struct LightNews;
     struct Memory;
     /// Fits the next part that one of the light's remaining maps is for.
     ShadowFit fitNext(const ShadowProblem& problem, const Ogre::Light& light, std::size_t mapsLeft,
-                      LightMemory& memory, const ShadowPart*& part) const;
+                      LightMemory& memory, LightNews& news, const ShadowPart*& part) const;
     /// How many maps the light has, asked with the first one's camera. OGRE draws more than one
     /// right only under integrated techniques.
     static std::size_t mapsOf(const Ogre::Light& light, const Ogre::Camera& shadowCamera,
-                              Ogre::SceneManager& sceneManager, LightMemory& memory);
+                              Ogre::SceneManager& sceneManager, LightNews& news);
 
     std::unique_ptr<Memory> mMemory;
     Ogre::Real mFilterRadius = 1;

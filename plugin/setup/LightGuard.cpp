@@ -1,15 +1,17 @@
 #include "setup/LightGuard.h"
 
+#include "scene/Identity.h"
 #include "scene/OgreVersions.h"
+#include "setup/News.h"
 
 #include <OgreLight.h>
 #include <OgreLogManager.h>
+#include <OgreRoot.h>
 #include <OgreSceneManager.h>
 
 #include <cmath>
 #include <map>
 #include <memory>
-#include <set>
 
 namespace Lixel {
 namespace {
@@ -23,30 +25,85 @@ bool isUsable(const Ogre::Light& light) {
            (light.getType() == Ogre::Light::LT_DIRECTIONAL || isFinite(light.getDerivedPosition()));
 }
 
+/// Calls `visit` with each of a scene manager's lights.
+template <typename Visit>
+void forLights(Ogre::SceneManager& sceneManager, const Visit& visit) {
+    for (const auto& [name, object] : sceneManager.getMovableObjects(LightTypeName))
+        visit(static_cast<Ogre::Light&>(*object));
+}
+
+/// What is known of a light that was bad once.
+struct Guarded {
+    /// Its visibility flags, while it has none.
+    Ogre::uint32 flags = 0;
+    bool hidden = false;
+    News news;
+    /// The last round in which it was there.
+    unsigned long seen = 0;
+};
+
 class Guard : public Ogre::SceneManager::Listener {
 public:
     void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
-        for (const auto& [name, object] :
-             source->getMovableObjects(LightTypeName)) {
-            Ogre::Light& light = static_cast<Ogre::Light&>(*object);
-            const bool usable = isUsable(light);
-            if (!usable && light.getVisible()) {
-                light.setVisible(false);
-                mHidden.insert(name);
-                Ogre::LogManager::getSingleton().logWarning(
-                    "Lixel: light '" + name +
-                    "' has a direction or position that is not finite; it neither shines nor "
-                    "casts shadows until it has");
-            } else if (usable && mHidden.erase(name) != 0) {
-                light.setVisible(true);
-            }
-        }
+        ++mRound;
+        forLights(*source, [this](Ogre::Light& light) {
+            if (!isUsable(light))
+                hide(light);
+            else if (!mGuarded.empty())
+                show(light);
+        });
+        std::erase_if(mGuarded, [this](const auto& entry) { return entry.second.seen != mRound; });
     }
 
     void sceneManagerDestroyed(Ogre::SceneManager* source) override;
 
+    /// Before it goes.
+    void leave(Ogre::SceneManager& sceneManager) {
+        sceneManager.removeListener(this);
+        forLights(sceneManager, [this](Ogre::Light& light) {
+            const auto found = mGuarded.find(identityOf(light));
+            if (found == mGuarded.end() || !found->second.hidden) return;
+            if (isUsable(light)) return show(light);
+            log(light, "still has a direction or position that is not finite: it stays without "
+                       "visibility flags, and nobody will put them on again");
+        });
+    }
+
 private:
-    std::set<Ogre::String> mHidden;
+    static void log(const Ogre::Light& light, const char* what) {
+        Ogre::LogManager::getSingleton().logWarning("Lixel: light '" + light.getName() + "' " +
+                                                    what);
+    }
+
+    void hide(Ogre::Light& light) {
+        const Identity identity = identityOf(light);
+        const bool mayShine = light.getVisible() && light.getVisibilityFlags() != 0;
+        if (!mayShine && !mGuarded.contains(identity)) return;
+        Guarded& guarded = mGuarded[identity];
+        guarded.seen = mRound;
+        if (!mayShine && !guarded.hidden) return;
+        // Whatever flags it has now, its user gave it.
+        if (light.getVisibilityFlags() != 0) guarded.flags = light.getVisibilityFlags();
+        light.setVisibilityFlags(0);
+        guarded.hidden = true;
+        if (guarded.news.isNew(0, Ogre::Root::getSingleton().getNextFrameNumber()))
+            log(light, "has a direction or position that is not finite; it neither shines nor "
+                       "casts shadows until it has");
+    }
+
+    void show(Ogre::Light& light) {
+        const auto found = mGuarded.find(identityOf(light));
+        if (found == mGuarded.end()) return;
+        Guarded& guarded = found->second;
+        guarded.seen = mRound;
+        if (guarded.hidden && light.getVisibilityFlags() == 0)
+            light.setVisibilityFlags(guarded.flags);
+        guarded.hidden = false;
+    }
+
+    /// Of those that are still there.
+    std::map<Identity, Guarded> mGuarded;
+    unsigned long mRound = 0;
 };
 
 std::map<Ogre::SceneManager*, std::unique_ptr<Guard>>& guards() {
@@ -65,6 +122,12 @@ void guardLights(Ogre::SceneManager& sceneManager) {
     if (guard) return;
     guard = std::make_unique<Guard>();
     sceneManager.addListener(guard.get());
+}
+
+void unguardLights() {
+    for (const auto& [sceneManager, guard] : guards())
+        guard->leave(*sceneManager);
+    guards().clear();
 }
 
 } // namespace Lixel

@@ -11,12 +11,21 @@ namespace Lixel {
 /** Keeps lights with a NaN or an infinity away from OGRE, which aborts on them.
 
     OGRE turns a shadow camera towards the light before it asks any ShadowCameraSetup, and that
-    asserts on NaN. So before each scene is drawn the guard hides lights whose direction or position
-    is not finite, says so once in the log, and shows them again when they are good again.
+    asserts on NaN. So before each scene is drawn the guard looks for visible lights whose direction
+    or position is not finite, takes all their visibility flags off, which hides them, says so in
+   the log (@see News.h how often), and puts the flags on again when they are good again.
+
+    Light::setVisible stays the user's: a light that was hidden or shown while it was guarded is
+    hidden or shown afterwards. So are visibility flags set meanwhile (but for none at all), which
+    the guard takes off and keeps for later.
 
     Guarding a scene manager twice has no effect. The plugin guards all of them before every frame;
     setups guard theirs when they are first used.
 */
 LIXEL_API void guardLights(Ogre::SceneManager& sceneManager);
+
+/// Leaves no guard behind in any scene manager. Lights that are still bad stay hidden, and the log
+/// says so.
+LIXEL_API void unguardLights();
 
 } // namespace Lixel

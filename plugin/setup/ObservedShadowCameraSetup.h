@@ -13,7 +13,8 @@ namespace Lixel {
 
     The shadow camera is exactly as the wrapped setup leaves it; its matrices are then published
     like those of a fit. This is how OGRE's own setups are compared with Lixel's in one scene, with
-    the same materials.
+    the same materials. OGRE's Focused, LiSPSM and PSSM setups crash where they outlive Root, and so
+    they do in here.
 */
 class LIXEL_API ObservedShadowCameraSetup : public Ogre::ShadowCameraSetup {
 public:

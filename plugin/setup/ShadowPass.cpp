@@ -10,6 +10,7 @@
 #include <OgreViewport.h>
 
 #include <map>
+#include <set>
 
 namespace Lixel {
 namespace {
@@ -23,6 +24,17 @@ public:
         // The first time is what has to come back.
         mArmed[target].try_emplace(&camera, camera.getCullingFrustum());
         target->addListener(this); // once, however often it is called
+        mTargets.insert(target->getName());
+    }
+
+    void forget() {
+        Ogre::RenderSystem* const system = Ogre::Root::getSingleton().getRenderSystem();
+        for (const Ogre::String& name : mTargets)
+            if (Ogre::RenderTarget* const target =
+                    system != nullptr ? system->getRenderTarget(name) : nullptr)
+                target->removeListener(this);
+        mTargets.clear();
+        mArmed.clear();
     }
 
     void preRenderTargetUpdate(const Ogre::RenderTargetEvent& event) override {
@@ -48,6 +60,8 @@ private:
     /// Cameras that will draw into a target, and the culling frusta that they had. Several may share
     /// one since OGRE 14, which also gives each a frustum of its own and expects it to stay.
     std::map<Ogre::RenderTarget*, std::map<Ogre::Camera*, Ogre::Frustum*>> mArmed;
+    /// Names of all that it listens to. Some may have gone.
+    std::set<Ogre::String> mTargets;
 };
 
 ShadowPassListener& listener() {
@@ -61,6 +75,10 @@ bool canClampDepth() {
     const Ogre::RenderSystem* const system = Ogre::Root::getSingleton().getRenderSystem();
     return system != nullptr && system->getCapabilities() != nullptr &&
            system->getCapabilities()->hasCapability(Ogre::RSC_DEPTH_CLAMP);
+}
+
+void forgetShadowPasses() {
+    listener().forget();
 }
 
 void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum) {

@@ -21,6 +21,9 @@ void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
 /// The texture is cleared to "lit" and no caster is drawn into it.
 void skipShadowPass(Ogre::Camera& shadowCamera);
 
+/// Leaves nothing behind in render targets.
+void forgetShadowPasses();
+
 /// Whether the render system clamps depth.
 bool canClampDepth();
 

@@ -1,0 +1,23 @@
+#include "setup/Detach.h"
+
+#include "scene/Identity.h"
+#include "scene/SceneWatch.h"
+#include "scene/SurveyCache.h"
+#include "setup/LightGuard.h"
+#include "setup/ShadowPass.h"
+
+#include <OgreRoot.h>
+#include <OgreSceneManager.h>
+
+namespace Lixel {
+
+void detachFromOgre() {
+    unguardLights();
+    unwatchScenes();
+    dropSurveys();
+    forgetShadowPasses();
+    for (const auto& [name, sceneManager] : Ogre::Root::getSingleton().getSceneManagers())
+        forgetIdentities(*sceneManager);
+}
+
+} // namespace Lixel

@@ -1,0 +1,123 @@
+// Setups that outlive what they were used with, and what is gone and replaced by another.
+
+#include "TestStage.h"
+
+#include <limits>
+
+namespace Lixel::Tests {
+namespace {
+
+const Ogre::Vector3 InShadow(-2, 0, 0);
+/// OGRE knows it by PluginFolder of plugins.cfg, "/", and the path there.
+const Ogre::String Plugin = "/" LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
+
+class OutlivingSetup : public testing::TestWithParam<std::string> {};
+
+TEST_P(OutlivingSetup, MayGoAfterRoot) {
+    Ogre::ShadowCameraSetupPtr setup = Samples::findShadowSetup(GetParam())->create();
+    {
+        BoxOnGround scene("", "Uniform");
+        scene.stage.setShadowSetup(setup);
+        EXPECT_LT(scene.visibilityAt(InShadow), 128);
+    }
+    setup.reset();
+}
+
+TEST_P(OutlivingSetup, MayBeUsedWithANewRoot) {
+    const Ogre::ShadowCameraSetupPtr setup = Samples::findShadowSetup(GetParam())->create();
+    for (int i = 0; i < 3; ++i) {
+        BoxOnGround scene("", "Uniform");
+        scene.stage.setShadowSetup(setup);
+        EXPECT_LT(scene.visibilityAt(InShadow), 128);
+    }
+}
+
+TEST_P(OutlivingSetup, MayGoAfterItsSceneManager) {
+    Ogre::ShadowCameraSetupPtr setup = Samples::findShadowSetup(GetParam())->create();
+    BoxOnGround scene("", "Uniform");
+    scene.stage.setShadowSetup(setup);
+    scene.stage.drawFrame();
+    scene.stage.window().removeAllViewports();
+    scene.stage.root().destroySceneManager(&scene.stage.sceneManager());
+    setup.reset();
+    scene.stage.drawFrame();
+}
+
+INSTANTIATE_TEST_SUITE_P(Setups, OutlivingSetup, testing::Values("Uniform", "XPSM", "Optimal"));
+
+/// Drops a setup when the scene manager goes, as an application's own listener may.
+TEST(Lifetime, ASetupMayGoWhileItsSceneManagerDoes) {
+    struct Owner : Ogre::SceneManager::Listener {
+        void sceneManagerDestroyed(Ogre::SceneManager*) override { setup.reset(); }
+        Ogre::ShadowCameraSetupPtr setup;
+    } owner;
+    BoxOnGround scene;
+    scene.stage.sceneManager().addListener(&owner);
+    owner.setup = Samples::findShadowSetup("XPSM")->create();
+    scene.stage.setShadowSetup(owner.setup);
+    scene.stage.drawFrame();
+    scene.stage.light().resetCustomShadowCameraSetup();
+    scene.stage.window().removeAllViewports();
+    scene.stage.root().destroySceneManager(&scene.stage.sceneManager());
+    EXPECT_FALSE(owner.setup);
+}
+
+TEST(Lifetime, ALightInAnothersPlaceInheritsNothing) {
+    BoxOnGround scene;
+    LogCollector log;
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    scene.stage.light().setVisible(false);
+    Ogre::SceneNode* const node = manager.getRootSceneNode()->createChildSceneNode();
+    node->setPosition(0, 1, 0);
+    const auto drawWith = [&](Ogre::Light& lamp) {
+        lamp.setType(Ogre::Light::LT_POINT);
+        lamp.setCustomShadowCameraSetup(scene.stage.light().getCustomShadowCameraSetup());
+        node->attachObject(&lamp);
+        scene.stage.drawFrame();
+        scene.stage.drawFrame();
+    };
+    Ogre::Light* const first = manager.createLight("Lamp");
+    drawWith(*first);
+    EXPECT_EQ(log.count("no shadow map for light 'Lamp'"), 1U);
+    manager.destroyLight(first);
+    // Some get other addresses, as the allocator has it.
+    Ogre::Light* second = nullptr;
+    for (int i = 0; i < 10000 && second != first; ++i)
+        second = manager.createLight();
+    if (second != first) GTEST_SKIP() << "no new light has the old one's address";
+    drawWith(*second);
+    EXPECT_EQ(log.count("no shadow map for light '" + second->getName() + "'"), 1U);
+}
+
+TEST(Lifetime, ThePluginLeavesNothingBehind) {
+    BoxOnGround scene;
+    LogCollector log;
+    EXPECT_LT(scene.visibilityAt(InShadow), 128);
+    scene.stage.root().unloadPlugin(Plugin);
+    scene.stage.light().resetCustomShadowCameraSetup();
+    scene.stage.sceneManager().setShadowTechnique(Ogre::SHADOWTYPE_NONE);
+    // OGRE does not mind one of these without shadows; the guard would.
+    Ogre::Light* const lamp = scene.stage.sceneManager().createLight();
+    scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode()->attachObject(lamp);
+    lamp->setType(Ogre::Light::LT_POINT);
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+    lamp->setPosition(std::numeric_limits<float>::quiet_NaN(), 0, 0);
+#pragma GCC diagnostic pop
+    scene.stage.drawFrame();
+    EXPECT_EQ(log.count("not finite"), 0U) << "a guard was left in the scene manager";
+}
+
+TEST(Lifetime, SetupsWorkAfterThePluginWasLoadedAgain) {
+    BoxOnGround scene;
+    EXPECT_LT(scene.visibilityAt(InShadow), 128);
+    for (int i = 0; i < 2; ++i) {
+        scene.stage.root().unloadPlugin(Plugin);
+        scene.stage.drawFrame();
+        scene.stage.root().loadPlugin(Plugin);
+        EXPECT_LT(scene.visibilityAt(InShadow), 128);
+    }
+}
+
+} // namespace
+} // namespace Lixel::Tests

@@ -1,0 +1,47 @@
+// What the log says of a light, and how often.
+
+#include "TestStage.h"
+
+namespace Lixel::Tests {
+namespace {
+
+const char* const NoMap = "no shadow map for light 'Light'";
+
+/// A light that would need six maps, and has one.
+void makePoint(Ogre::Light& light) {
+    light.setType(Ogre::Light::LT_POINT);
+    light.getParentSceneNode()->setPosition(0, 1, 0);
+}
+
+TEST(News, AFlickeringLightIsToldOfOnce) {
+    BoxOnGround scene;
+    LogCollector log;
+    for (int i = 0; i < 20; ++i) {
+        if (i % 2 == 0)
+            makePoint(scene.stage.light());
+        else
+            scene.stage.light().setType(Ogre::Light::LT_DIRECTIONAL);
+        scene.stage.drawFrame();
+    }
+    EXPECT_EQ(log.count(NoMap), 1U);
+}
+
+TEST(News, ALightIsToldOfOnceForAllCameras) {
+    BoxOnGround scene;
+    LogCollector log;
+    makePoint(scene.stage.light());
+    for (int i = 1; i < 4; ++i) {
+        Ogre::Camera* const camera = scene.stage.sceneManager().createCamera(std::to_string(i));
+        scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode()->attachObject(camera);
+        camera->getParentSceneNode()->setPosition(0, 8, 16);
+        camera->getParentSceneNode()->lookAt(Ogre::Vector3::ZERO, Ogre::Node::TS_WORLD);
+        camera->setNearClipDistance(0.1F);
+        scene.stage.window().addViewport(camera, i, 0.2F * static_cast<float>(i), 0, 0.2F, 0.2F);
+    }
+    scene.stage.drawFrame();
+    scene.stage.drawFrame();
+    EXPECT_EQ(log.count(NoMap), 1U);
+}
+
+} // namespace
+} // namespace Lixel::Tests

@@ -1,0 +1,72 @@
+// An application that knows Lixel by plugins.cfg alone: when OGRE unloads the plugin, its code
+// goes.
+
+#include <Lixel/headless/Headless.h>
+
+#include <Ogre.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+
+namespace Lixel::Tests {
+namespace {
+
+constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+
+// A node refuses a NaN; a light's own direction, which OGRE would do away with, does not.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
+    light.setDirection(direction);
+}
+#pragma GCC diagnostic pop
+
+TEST(Unload, NothingIsCalledThatIsGone) {
+    unsetenv("DISPLAY");
+    std::string error;
+    ASSERT_TRUE(Headless::enable(error)) << error;
+    Ogre::LogManager logs;
+    logs.createLog("", true, false, true);
+    Ogre::Root root("", "", "");
+    root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
+    const Ogre::String plugin = LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
+    root.loadPlugin(plugin);
+    root.setRenderSystem(root.getAvailableRenderers().front());
+    root.initialise(false);
+    Ogre::NameValuePairList parameters;
+    for (const auto& [name, value] : Headless::windowParameters())
+        parameters[name] = value;
+    Ogre::RenderWindow* const window = root.createRenderWindow("", 32, 32, false, &parameters);
+    Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
+    Ogre::SceneManager* const manager = root.createSceneManager();
+    Ogre::Camera* const camera = manager->createCamera("");
+    manager->getRootSceneNode()->createChildSceneNode()->attachObject(camera);
+    window->addViewport(camera);
+    Ogre::Light* const mended = manager->createLight("mended");
+    Ogre::Light* const bad = manager->createLight("bad");
+    for (Ogre::Light* light : {mended, bad}) {
+        light->setType(Ogre::Light::LT_DIRECTIONAL);
+        manager->getRootSceneNode()->createChildSceneNode()->attachObject(light);
+        setOwnDirection(*light, Ogre::Vector3(NaN, NaN, NaN));
+    }
+    const Ogre::uint32 flags = mended->getVisibilityFlags();
+    root.renderOneFrame();
+    // Shadows on this one would end the program.
+    setOwnDirection(*mended, Ogre::Vector3::NEGATIVE_UNIT_Y);
+
+    root.unloadPlugin(plugin);
+    EXPECT_EQ(mended->getVisibilityFlags(), flags);
+    EXPECT_EQ(bad->getVisibilityFlags(), 0U) << "OGRE is not handed what it aborts on";
+    root.renderOneFrame();
+    root.loadPlugin(plugin);
+    root.renderOneFrame();
+    root.unloadPlugin(plugin);
+    manager->destroyLight(bad);
+    root.renderOneFrame();
+    root.destroySceneManager(manager);
+}
+
+} // namespace
+} // namespace Lixel::Tests
