@@ -11,6 +11,8 @@
 #include "setup/ShadowMapObserver.h"
 #include "setup/ShadowPass.h"
 
+#include <Eigen/LU>
+
 #include <OgreCamera.h>
 #include <OgreException.h>
 #include <OgreHardwarePixelBuffer.h>
@@ -97,17 +99,35 @@ const ShadowPart Nowhere = [] {
     return part;
 }();
 
+/// Projections whose determinant is beyond this, or below its inverse, are given another unit.
+constexpr double GreatestDeterminant = 0x1p64;
+
+/** The unit of length in which the shadow camera sees, in world units: 1 but for worlds of 10⁶
+   units and more.
+
+    OGRE inverts the projection in floats, and asserts that what comes out is a number: of a sun's
+    the determinant is that of a map's sides and depth, an inverse volume. A power of two, so that
+    the product of projection and view stays the same to the last bit. */
+double unitOf(const ShadowFit& fit) {
+    const double determinant = std::abs(fit.clipFromLight.determinant());
+    if (determinant <= GreatestDeterminant && determinant >= 1.0 / GreatestDeterminant) return 1.0;
+    return std::exp2(std::round(-std::log2(determinant) / 3.0));
+}
+
 /// Puts the fit's matrices into the shadow camera.
 void place(Ogre::Camera& camera, const ShadowFit& fit, const Vec3& wsOrigin) {
     // With camera-relative rendering OGRE subtracts the camera's position and drops the view
     // matrix' translation: the camera stands where the fit has its eye, so both are exact.
     const Vec3 wsEye = wsOrigin + fit.wsEye;
     camera.getParentSceneNode()->setPosition(toOgre(wsEye));
+    const double unit = unitOf(fit);
     Mat4 view = Mat4::Identity();
-    view.topLeftCorner<3, 3>() = fit.lsFromWs;
-    view.topRightCorner<3, 1>() = -fit.lsFromWs * wsEye;
+    view.topLeftCorner<3, 3>() = fit.lsFromWs / unit;
+    view.topRightCorner<3, 1>() = -fit.lsFromWs * wsEye / unit;
     camera.setCustomViewMatrix(true, Ogre::Affine3(toOgre(view)));
-    camera.setCustomProjectionMatrix(true, toOgre(fit.clipFromLight));
+    Mat4 clipFromView = fit.clipFromLight;
+    clipFromView.leftCols<3>() *= unit;
+    camera.setCustomProjectionMatrix(true, toOgre(clipFromView));
     // Neither is used by the matrices; but the octree skips the far end's test where far is 0.
     camera.setNearClipDistance(1);
     camera.setFarClipDistance(2);

@@ -2,6 +2,8 @@
 
 #include "common/Surface.h"
 
+#include <fmt/core.h>
+
 #include <array>
 
 namespace Lixel::Tests {
@@ -74,6 +76,32 @@ std::vector<HardCase> bodyCases() {
     add("world offset 1e7, camera-relative", fieldAt({1e7F, 0, 1e7F}, true));
     add("scale 1e-4", scaledField(1e-4F));
     add("scale 1e5", scaledField(1e5F));
+    add("scale 1e-12", scaledField(1e-12F));
+    add("scale 1e9", scaledField(1e9F));
+    add("scale 1e12", scaledField(1e12F));
+    // Of which the oracle makes out nothing: what counts is that they are survived.
+    add("scale 1e15", scaledField(1e15F))->nothingShadowed = true;
+    add("scale 1e18", scaledField(1e18F))->nothingShadowed = true;
+    add("scale 1e12, lamp", [](HardScene& s) {
+        scaledField(1e12F)(s);
+        s.spot({20, 20, 5}, {0, 0, 0}, 60);
+        s.light->setAttenuation(1e15F, 1, 0, 0);
+    });
+    // Its box is next to nothing on it: what counts is that it is survived.
+    for (const float side : {5e9F, 5e12F, 5e15F})
+        add(fmt::format("ground of {:.0e} units", side).c_str(), [side](HardScene& s) {
+            s.addBox({0, -0.5F, 0}, {side, 1, side}, false);
+            s.addBox({0, 1, 0}, {2, 2, 2});
+        })->nothingShadowed = true;
+    for (const float side : {5e9F, 5e12F})
+        add(fmt::format("ground of {:.0e} units, half of it in shadow", side).c_str(),
+            [side](HardScene& s) {
+                s.setPlanes(0.1F, 0);
+                s.setReach(0);
+                s.addBox({0, -0.5F, 0}, {side, 1, side}, false);
+                s.addBox({0, side / 4, 0}, {side / 2, 1, side / 2});
+                s.look({0, side / 8, side / 2}, {0, 0, 0});
+            });
 
     HardCase* const empty = add("empty scene", [](HardScene&) {});
     empty->repair = boxOnGround;
