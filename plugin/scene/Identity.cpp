@@ -1,5 +1,7 @@
 #include "scene/Identity.h"
 
+#include "scene/OgreVersions.h"
+
 #include <OgreAny.h>
 #include <OgreCamera.h>
 #include <OgreLight.h>
@@ -30,7 +32,7 @@ void forgetIdentities(Ogre::SceneManager& sceneManager) {
         object.getUserObjectBindings().eraseUserAny(Key);
     };
     for (const auto& [name, light] :
-         sceneManager.getMovableObjects(Ogre::LightFactory::FACTORY_TYPE_NAME))
+         sceneManager.getMovableObjects(LightTypeName))
         forget(*light);
     for (const auto& [name, camera] : sceneManager.getCameras())
         forget(*camera);
