@@ -2,6 +2,8 @@
 
 #include "TestStage.h"
 
+#include <Lixel/setup/News.h>
+
 namespace Lixel::Tests {
 namespace {
 
@@ -11,6 +13,33 @@ const char* const NoMap = "no shadow map for light 'Light'";
 void makePoint(Ogre::Light& light) {
     light.setType(Ogre::Light::LT_POINT);
     light.getParentSceneNode()->setPosition(0, 1, 0);
+}
+
+TEST(News, EachKindOnce) {
+    News news;
+    EXPECT_TRUE(news.isNew(3, 0)) << "in the first frame of all";
+    EXPECT_FALSE(news.isNew(3, 0));
+    EXPECT_TRUE(news.isNew(31, 0));
+    EXPECT_FALSE(news.isNew(3, 1));
+    EXPECT_FALSE(news.isNew(31, News::Quiet));
+}
+
+TEST(News, AgainAfterLongPeace) {
+    News news;
+    EXPECT_TRUE(news.isNew(0, 100));
+    // As long as it goes on, or comes back soon, it is old.
+    for (unsigned long frame = 100; frame < 10 * News::Quiet; frame += News::Quiet)
+        EXPECT_FALSE(news.isNew(0, frame));
+    News other;
+    EXPECT_TRUE(other.isNew(0, 100));
+    EXPECT_FALSE(other.isNew(0, 100 + News::Quiet));
+    EXPECT_TRUE(other.isNew(0, 100 + 2 * News::Quiet + 1));
+}
+
+TEST(News, AgainUnderANewRootWhoseFramesCountFromZero) {
+    News news;
+    EXPECT_TRUE(news.isNew(0, 5000));
+    EXPECT_TRUE(news.isNew(0, 0));
 }
 
 TEST(News, AFlickeringLightIsToldOfOnce) {
