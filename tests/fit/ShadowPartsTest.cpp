@@ -109,7 +109,10 @@ TEST(ShadowParts, SlicesAreByDepth) {
 
 TEST(ShadowParts, SevenSplitsAreTheMost) {
     const std::vector<double> splits{1, 2, 3, 4, 5, 6, 7, 8, 9};
-    EXPECT_EQ(sliceView(ShadowViewer(), ShadowLight(), splits).count, ShadowParts::Capacity);
+    const ShadowParts parts = sliceView(ShadowViewer(), ShadowLight(), splits);
+    EXPECT_EQ(parts.count, ShadowParts::Capacity);
+    for (const ShadowPart& part : parts.span())
+        EXPECT_EQ(part.boundCount, part.wsBounds.size()) << "one with each of the others";
 }
 
 TEST(ShadowParts, ACubesFacesAreByTheGreatestCoordinate) {
