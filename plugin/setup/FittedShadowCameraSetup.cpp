@@ -99,18 +99,20 @@ const ShadowPart Nowhere = [] {
     return part;
 }();
 
-/// Projections whose determinant is beyond this, or below its inverse, are given another unit.
-constexpr double GreatestDeterminant = 0x1p64;
+/// A float's exponents end at 2⁻¹²⁶: what is multiplied on the way to a determinant like this, or
+/// like its inverse, is well within.
+constexpr double GreatestDeterminant = 0x1p96;
 
-/** The unit of length in which the shadow camera sees, in world units: 1 but for worlds of 10⁶
-   units and more.
+/** The unit of length in which the shadow camera sees, in world units: 1 but for worlds of some 10⁹
+    units and more, or 10⁻⁹ and less.
 
     OGRE inverts the projection in floats, and asserts that what comes out is a number: of a sun's
     the determinant is that of a map's sides and depth, an inverse volume. A power of two, so that
     the product of projection and view stays the same to the last bit. */
 double unitOf(const ShadowFit& fit) {
     const double determinant = std::abs(fit.clipFromLight.determinant());
-    if (determinant <= GreatestDeterminant && determinant >= 1.0 / GreatestDeterminant) return 1.0;
+    const bool isFar = determinant > GreatestDeterminant || determinant < 1.0 / GreatestDeterminant;
+    if (!isFar || !fit.hasMap()) return 1.0;
     return std::exp2(std::round(-std::log2(determinant) / 3.0));
 }
 
