@@ -1,9 +1,11 @@
 #include "material/MaterialCheck.h"
 
 #include "material/MissingMaterials.h"
+#include "material/OwnShadowMaterials.h"
 #include "material/ProgramCheck.h"
 #include "material/QueuedPasses.h"
 
+#include <OgreLight.h>
 #include <OgreLogManager.h>
 #include <OgreMaterial.h>
 #include <OgrePass.h>
@@ -73,29 +75,58 @@ void MaterialCheck::beginFrame() {
     ++mFrame;
     mCasters.clear();
     mDrawn.clear();
-    mCoarseFormats.clear();
+    mWrongFormats.clear();
     listen(mLooks);
     if (!mLooks) return;
     for (const std::string& missing : findMissingMaterials(mManager))
         say(missing + Manual);
+    for (const std::string& dropped : dropUnusableShadowMaterials())
+        say(dropped);
 }
 
-void MaterialCheck::checkMap(const Ogre::Texture& texture) {
+void MaterialCheck::checkMap(const Ogre::Texture& texture, FitReason reason) {
     if (!mLooks) return;
+    if (reason == FitReason::NoReceivers && !mManager.getShadowTextureSelfShadow())
+        say("nothing in view receives shadows in scene manager " + quoted(mManager.getName()) +
+            ": what casts shadows receives none until SceneManager::setShadowTextureSelfShadow("
+            "true)");
     const Ogre::PixelFormat format = texture.getFormat();
     constexpr int EnoughBits = 24; // as many as a float's depth in [0, 1] has
     int bits[4];
     Ogre::PixelUtil::getBitDepths(format, bits);
-    if (!Ogre::PixelUtil::isDepth(format) && bits[0] < EnoughBits)
-        mCoarseFormats.insert(Ogre::PixelUtil::getFormatName(format));
+    if (Ogre::PixelUtil::isDepth(format) || bits[0] < EnoughBits)
+        mWrongFormats.insert(Ogre::PixelUtil::getFormatName(format));
 }
 
-void MaterialCheck::checkQueue() {
+void MaterialCheck::checkQueue(const std::set<const Ogre::Light*>& lightsWithMaps) {
     if (!mLooks) return;
     checkCasters();
+    checkLights(lightsWithMaps);
     forQueuedPasses(mManager, [this](const Ogre::Pass& pass, bool groupReceives) {
         checkSurface(pass, groupReceives);
     });
+}
+
+void MaterialCheck::checkLights(const std::set<const Ogre::Light*>& withMaps) {
+    const std::size_t textures = mManager.getShadowTextureConfigList().size();
+    std::size_t lights = 0;
+    std::size_t needed = 0;
+    for (const Ogre::Light* light : mManager._getLightsAffectingFrustum()) {
+        if (!light->getCastShadows()) continue;
+        const bool hasTexture = needed < textures;
+        ++lights;
+        needed += mManager.getShadowTextureCountPerLightType(light->getType());
+        if (hasTexture && mDrawsLixelsCasters && withMaps.count(light) == 0)
+            say("light " + quoted(light->getName()) +
+                " casts shadows by no setup that Lixel knows of, and so none that Lixel's "
+                "materials "
+                "show: give it one of Lixel's, or its own inside ObservedShadowCameraSetup");
+    }
+    if (needed > textures)
+        say("scene manager " + quoted(mManager.getName()) + " has " + std::to_string(textures) +
+            " shadow textures, and the " + std::to_string(lights) +
+            " lights that cast shadows here take " + std::to_string(needed) +
+            ": the last ones cast none (SceneManager::setShadowTextureCount)");
 }
 
 void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
@@ -108,8 +139,10 @@ void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
                    "and "
                    "cannot be drawn: give it one pass of illumination_stage ambient and one of "
                    "per_light, as Lixel/Surface has"
-                 : " has no programs, and this render system draws nothing without: use "
-                   "Lixel/Surface, or let OGRE's shader system make some") +
+                 : " has no programs, and this render system draws nothing without: inherit "
+                   "Lixel/Surface (if it does, its group may not find General: see OGRE's errors "
+                   "in "
+                   "this log), or let OGRE's shader system make some") +
             Manual);
         return;
     }
@@ -138,13 +171,13 @@ void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
 
 void MaterialCheck::checkCasters() {
     // Other casters go with other receivers: nothing of Lixel's to say.
-    if (std::none_of(mCasters.begin(), mCasters.end(),
-                     [](const auto& caster) { return isLixels(*caster.first); }))
-        return;
-    for (const std::string& format : mCoarseFormats)
+    mDrawsLixelsCasters = std::any_of(mCasters.begin(), mCasters.end(),
+                                      [](const auto& caster) { return isLixels(*caster.first); });
+    if (!mDrawsLixelsCasters) return;
+    for (const std::string& format : mWrongFormats)
         say("shadow textures of format " + format +
-            " hold too little depth for Lixel/Caster: use SceneManager::setShadowTextureSettings "
-            "with PF_FLOAT32_R");
+            " do not hold what Lixel/Caster stores: use SceneManager::setShadowTextureSettings "
+            "with PF_FLOAT32_R; or casters and receivers of your own");
     for (const auto& [pass, material] : mCasters) {
         checkPrograms(*pass);
         if (!isLixels(*pass))

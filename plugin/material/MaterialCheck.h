@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fit/ShadowFit.h"
+
 #include <OgreRenderObjectListener.h>
 
 #include <map>
@@ -7,6 +9,7 @@
 #include <string>
 
 namespace Ogre {
+class Light;
 class Pass;
 class SceneManager;
 class Texture;
@@ -18,7 +21,8 @@ namespace Lixel {
 
     Each line names the material and what to do, and is said once: surfaces that OGRE will refuse to
     draw, or that read no shadow map; programs whose parameters are bound wrongly; casters that
-   write another depth than the rest; shadow textures that hold too little depth.
+   write another depth than the rest; shadow textures that cannot hold
+    it, or that are too few; lights without a setup.
 
     Looking costs time, so it is done in the first frames of a scene manager, and then every
    Interval frames.
@@ -36,9 +40,10 @@ public:
     /// A frame begins, in which this scene manager has shadow maps.
     void beginFrame();
     /// A map is about to be drawn into a shadow texture.
-    void checkMap(const Ogre::Texture& texture);
+    void checkMap(const Ogre::Texture& texture, FitReason reason);
     /// What is queued is about to be drawn.
-    void checkQueue();
+    /// @param lightsWithMaps those that setups were asked for
+    void checkQueue(const std::set<const Ogre::Light*>& lightsWithMaps);
 
     /// Collects passes as they are drawn: which one a caster or receiver gets, OGRE decides then.
     void notifyRenderSingleObject(Ogre::Renderable* renderable, const Ogre::Pass* pass,
@@ -51,6 +56,7 @@ private:
     void checkSurface(const Ogre::Pass& pass, bool groupReceives);
     void checkPrograms(const Ogre::Pass& pass);
     void checkCasters();
+    void checkLights(const std::set<const Ogre::Light*>& withMaps);
     void say(const std::string& message);
 
     Ogre::SceneManager& mManager;
@@ -62,8 +68,9 @@ private:
     std::map<const Ogre::Pass*, std::string> mCasters;
     /// This frame's other passes, receivers among them.
     std::set<const Ogre::Pass*> mDrawn;
-    /// Formats of this frame's shadow textures, where they hold too little depth.
-    std::set<std::string> mCoarseFormats;
+    /// Formats of this frame's shadow textures that Lixel's casters cannot store their depth in.
+    std::set<std::string> mWrongFormats;
+    bool mDrawsLixelsCasters = false;
 };
 
 } // namespace Lixel

@@ -34,7 +34,7 @@ std::vector<std::string> findMissingMaterials(Ogre::SceneManager& manager) {
         missing.push_back("scene manager '" + manager.getName() +
                           "' has no shadow caster material, and OGRE's own cannot be drawn here: "
                           "give setShadowTextureCasterMaterial 'Lixel/Caster'. A name that no "
-                          "material has is none");
+                          "material has is none, and so is one whose programs do not compile");
     if (!manager.isShadowTechniqueIntegrated() && !ShadowMaterialAccess::hasReceiver(manager) &&
         !canDraw("Ogre/TextureShadowReceiver"))
         missing.push_back(
@@ -42,7 +42,7 @@ std::vector<std::string> findMissingMaterials(Ogre::SceneManager& manager) {
             "' has no shadow receiver material, and OGRE's own cannot be drawn here: "
             "give setShadowTextureReceiverMaterial 'Lixel/Receiver/Bilinear', or "
             "'Lixel/Receiver/Modulative/Bilinear' for modulative shadows. A name that "
-            "no material has is none");
+            "no material has is none, and so is one whose programs do not compile");
     return missing;
 }
 

@@ -15,6 +15,7 @@
 #include <OgreViewport.h>
 
 #include <cmath>
+#include <set>
 
 namespace Lixel {
 namespace {
@@ -72,7 +73,7 @@ public:
         bindMap(map.light, map.iteration, parameters);
         bindSplit(map);
         const Ogre::TexturePtr texture = textureOf(map.shadowCamera, mManager);
-        if (texture) mCheck.checkMap(*texture);
+        if (texture) mCheck.checkMap(*texture, map.fit.reason);
         // Receiver passes see one map a light.
         if (map.iteration != 0) return;
         mMaps[&map.light] = parameters;
@@ -83,7 +84,11 @@ public:
     void postFindVisibleObjects(Ogre::SceneManager*,
                                 Ogre::SceneManager::IlluminationRenderStage stage,
                                 Ogre::Viewport*) override {
-        if (mHasMaps && stage == Ogre::SceneManager::IRS_NONE) mCheck.checkQueue();
+        if (!mHasMaps || stage != Ogre::SceneManager::IRS_NONE) return;
+        std::set<const Ogre::Light*> withMaps;
+        for (const auto& [light, parameters] : mMaps)
+            withMaps.insert(light);
+        mCheck.checkQueue(withMaps);
     }
 
     void shadowTextureReceiverPreViewProj(Ogre::Light* light, Ogre::Frustum*) override {

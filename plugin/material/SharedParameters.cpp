@@ -1,7 +1,10 @@
 #include "material/SharedParameters.h"
 
+#include "material/OwnShadowMaterials.h"
+
 #include <OgreGpuProgramManager.h>
 #include <OgreGpuProgramParams.h>
+#include <OgreLogManager.h>
 #include <OgreSceneManager.h>
 
 #include <algorithm>
@@ -54,6 +57,12 @@ void SharedParameters::resourceGroupScriptingStarted(const Ogre::String&, std::s
         for (const std::string& constant : constants)
             set->addConstantDefinition(constant, Ogre::GCT_FLOAT4);
     }
+}
+
+void SharedParameters::resourceGroupScriptingEnded(const Ogre::String&) {
+    if (Ogre::GpuProgramManager::getSingletonPtr() == nullptr) return;
+    for (const std::string& line : dropUnusableShadowMaterials())
+        Ogre::LogManager::getSingleton().logWarning("Lixel: " + line);
 }
 
 const char* SharedParameters::setOf(const std::string& constant) {

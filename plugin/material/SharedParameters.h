@@ -44,6 +44,8 @@ public:
 
     void resourceGroupScriptingStarted(const Ogre::String& groupName,
                                        std::size_t scriptCount) override;
+    /// Scripts that were parsed may name shadow materials that cannot be drawn.
+    void resourceGroupScriptingEnded(const Ogre::String& groupName) override;
 };
 
 } // namespace Lixel

@@ -17,7 +17,7 @@ CascadesShadowCameraSetup::CascadesShadowCameraSetup(const Ogre::ShadowCameraSet
                     "CascadesShadowCameraSetup");
 }
 
-Ogre::ShadowCameraSetupPtr CascadesShadowCameraSetup::create() {
+std::shared_ptr<CascadesShadowCameraSetup> CascadesShadowCameraSetup::create() {
     return create(OptimalShadowCameraSetup::create());
 }
 

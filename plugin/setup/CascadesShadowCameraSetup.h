@@ -25,8 +25,8 @@ public:
     explicit CascadesShadowCameraSetup(const Ogre::ShadowCameraSetupPtr& technique);
 
     /// With Optimal in each slice.
-    static Ogre::ShadowCameraSetupPtr create();
-    static Ogre::ShadowCameraSetupPtr create(const Ogre::ShadowCameraSetupPtr& technique) {
+    static std::shared_ptr<CascadesShadowCameraSetup> create();
+    static std::shared_ptr<CascadesShadowCameraSetup> create(const Ogre::ShadowCameraSetupPtr& technique) {
         return std::make_shared<CascadesShadowCameraSetup>(technique);
     }
 

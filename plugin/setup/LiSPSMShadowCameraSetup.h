@@ -10,7 +10,7 @@ namespace Lixel {
    into the light. @see fit/LiSPSM.h */
 class LIXEL_API LiSPSMShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    static Ogre::ShadowCameraSetupPtr create() {
+    static std::shared_ptr<LiSPSMShadowCameraSetup> create() {
         return std::make_shared<LiSPSMShadowCameraSetup>();
     }
 

@@ -40,7 +40,7 @@ Vec2 rangeOfW(const Mat4& worldFromClip) {
 
 } // namespace
 
-Ogre::ShadowCameraSetupPtr
+std::shared_ptr<ObservedShadowCameraSetup>
 ObservedShadowCameraSetup::create(const Ogre::ShadowCameraSetupPtr& inner, Ogre::Real depthBias) {
     return std::make_shared<ObservedShadowCameraSetup>(inner, depthBias);
 }

@@ -10,7 +10,7 @@ namespace Lixel {
     accuracy. @see fit/Optimal.h */
 class LIXEL_API OptimalShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    static Ogre::ShadowCameraSetupPtr create() {
+    static std::shared_ptr<OptimalShadowCameraSetup> create() {
         return std::make_shared<OptimalShadowCameraSetup>();
     }
 

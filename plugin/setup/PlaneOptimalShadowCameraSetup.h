@@ -22,7 +22,7 @@ class LIXEL_API PlaneOptimalShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     /// For the plane y = 0.
     PlaneOptimalShadowCameraSetup() = default;
-    static Ogre::ShadowCameraSetupPtr create() {
+    static std::shared_ptr<PlaneOptimalShadowCameraSetup> create() {
         return std::make_shared<PlaneOptimalShadowCameraSetup>();
     }
 

@@ -18,7 +18,7 @@ namespace Lixel {
 */
 class LIXEL_API PostProjectiveCubeShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    static Ogre::ShadowCameraSetupPtr create() {
+    static std::shared_ptr<PostProjectiveCubeShadowCameraSetup> create() {
         return std::make_shared<PostProjectiveCubeShadowCameraSetup>();
     }
 

@@ -9,7 +9,7 @@ namespace Lixel {
     the map. @see fit/Trapezoidal.h */
 class LIXEL_API TrapezoidalShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    static Ogre::ShadowCameraSetupPtr create() {
+    static std::shared_ptr<TrapezoidalShadowCameraSetup> create() {
         return std::make_shared<TrapezoidalShadowCameraSetup>();
     }
 

@@ -8,7 +8,7 @@ namespace Lixel {
 /// A uniform shadow map, focused on what is visible and can be shadowed. @see fit/Uniform.h
 class LIXEL_API UniformShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    static Ogre::ShadowCameraSetupPtr create() {
+    static std::shared_ptr<UniformShadowCameraSetup> create() {
         return std::make_shared<UniformShadowCameraSetup>();
     }
 

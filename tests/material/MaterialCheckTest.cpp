@@ -160,12 +160,72 @@ TEST(ShadowMaterials, AreKnownByName) {
     EXPECT_EQ(before, scene.draw()) << "a wrong name changes nothing";
 }
 
+/// OGRE uses a surface's own shadow materials unasked, and crashed on these.
+TEST(MaterialCheck, DropsOwnMaterialsThatDoNotCompile) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear");
+    scene.wear("Lixel/Surface");
+    const std::vector<int> plain = scene.draw();
+    scene.wear("Test/OwnBrokenReceiver");
+    EXPECT_EQ(plain, scene.draw()) << "the scene manager's materials are used";
+
+    // One that an application makes while it runs.
+    auto& materials = Ogre::MaterialManager::getSingleton();
+    Ogre::MaterialPtr made = materials.create("Test/MadeBroken", Ogre::RGN_DEFAULT);
+    materials.getByName("Lixel/Surface")->copyDetailsTo(made);
+    made->getTechnique(0)->setShadowCasterMaterial(materials.getByName("Test/BrokenReceiver"));
+    LogCollector log;
+    scene.wear("Test/MadeBroken");
+    EXPECT_EQ(plain, scene.draw());
+    EXPECT_EQ(log.count("'Test/MadeBroken': its shadow_caster_material 'Test/BrokenReceiver'"), 1U)
+        << log.all();
+}
+
+TEST(MaterialCheck, SaysThatNothingReceives) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    scene.stage.sceneManager().setShadowTextureSelfShadow(false);
+    scene.ground->getAttachedObject(0)->setCastShadows(true);
+    LogCollector log;
+    scene.draw();
+    scene.draw();
+    EXPECT_EQ(log.count("receives none until SceneManager::setShadowTextureSelfShadow(true)"), 1U)
+        << log.all();
+}
+
+TEST(MaterialCheck, SaysThatTexturesAreTooFew) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    scene.stage.sceneManager().setShadowTextureCount(1);
+    LogCollector log;
+    scene.draw();
+    scene.draw();
+    EXPECT_EQ(log.count("has 1 shadow textures, and the 3 lights that cast shadows here take 3"),
+              1U)
+        << log.all();
+}
+
+TEST(MaterialCheck, SaysThatALightHasNoSetup) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    scene.lights.back()->setCustomShadowCameraSetup(nullptr);
+    LogCollector log;
+    scene.draw();
+    scene.draw();
+    EXPECT_EQ(log.count("light 'spot' casts shadows by no setup that Lixel knows of"), 1U)
+        << log.all();
+}
+
+TEST(MaterialCheck, SaysThatDepthFormatsAreNotServed) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    scene.stage.sceneManager().setShadowTextureSettings(512, 3, Ogre::PF_DEPTH16);
+    LogCollector log;
+    scene.draw();
+    EXPECT_EQ(log.count("PF_DEPTH16 do not hold what Lixel/Caster stores"), 1U) << log.all();
+}
+
 TEST(MaterialCheck, SaysThatAFormatHoldsTooLittleDepth) {
     MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
     scene.stage.sceneManager().setShadowTextureSettings(512, 3, Ogre::PF_BYTE_RGBA);
     LogCollector log;
     scene.draw();
-    EXPECT_EQ(log.count("hold too little depth for Lixel/Caster"), 1U) << log.all();
+    EXPECT_EQ(log.count("do not hold what Lixel/Caster stores"), 1U) << log.all();
 }
 
 } // namespace

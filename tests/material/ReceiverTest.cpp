@@ -37,6 +37,72 @@ TEST(Receivers, OfMeshesWithoutNormalsAreShadowedModulatively) {
     EXPECT_LT(picture[scene.pixelOf(InShadow)], picture[scene.pixelOf(InTheSun)] - 50);
 }
 
+/// By scale, scroll and the like of its unit: in each pass and under every technique.
+TEST(Receivers, MoveTheirDiffuseMapAsItsUnitSays) {
+    for (const auto& [technique, receiver, surface] :
+         {std::tuple(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear", "Lixel/Surface"),
+          std::tuple(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "", "Lixel/Surface/Integrated"),
+          std::tuple(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "",
+                     "Lixel/Surface/Integrated/Maps2"),
+          std::tuple(Ogre::SHADOWTYPE_NONE, "", "Lixel/Surface")}) {
+        MaterialScene scene(technique, receiver);
+        auto& materials = Ogre::MaterialManager::getSingleton();
+        Ogre::MaterialPtr tiles = materials.create("Test/Tiles", Ogre::RGN_DEFAULT);
+        materials.getByName(surface)->copyDetailsTo(tiles);
+        // Black and white, half each.
+        Ogre::uchar bytes[] = {0, 0, 0, 255, 255, 255, 255, 255};
+        Ogre::Image image;
+        image.loadDynamicImage(bytes, 2, 1, Ogre::PF_BYTE_RGBA);
+        const Ogre::TexturePtr texture =
+            Ogre::TextureManager::getSingleton().loadImage("Test/Halves", Ogre::RGN_DEFAULT, image);
+        std::vector<Ogre::TextureUnitState*> units;
+        for (Ogre::Pass* pass : tiles->getTechnique(0)->getPasses()) {
+            Ogre::TextureUnitState* const unit = pass->getTextureUnitState("DiffuseMap");
+            unit->setTexture(texture);
+            unit->setTextureFiltering(Ogre::TFO_NONE);
+            units.push_back(unit);
+        }
+        scene.wear("Test/Tiles");
+        const std::vector<int> before = scene.draw();
+        for (Ogre::TextureUnitState* unit : units)
+            unit->setTextureScroll(0.5F, 0);
+        const std::vector<int> moved = scene.draw();
+        const std::size_t right = scene.pixelOf(Ogre::Vector3(5, 0, 5));
+        const std::size_t left = scene.pixelOf(Ogre::Vector3(-5, 0, 5));
+        EXPECT_GT(std::abs(before[right] - before[left]), 20) << surface;
+        EXPECT_GT(std::abs(moved[right] - before[right]), 20) << surface << technique;
+        EXPECT_GT(std::abs(moved[left] - before[left]), 20) << surface;
+    }
+}
+
+/// A sphere's smooth normals turn from the light earlier than its faces do: at its terminator a
+/// modulative shadow has little light to take.
+TEST(Receivers, FadeModulativeShadowsWhereLightGrazes) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE, "Lixel/Receiver/Modulative");
+    for (Ogre::Light* light : scene.lights)
+        light->setVisible(light == scene.lights.front());
+    scene.box->setVisible(false);
+    Ogre::Entity* const ball =
+        scene.stage.sceneManager().createEntity(Ogre::SceneManager::PT_SPHERE);
+    ball->setMaterialName("Test/Unlit");
+    Ogre::SceneNode* const node =
+        scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode(Ogre::Vector3(0, 2, 2));
+    node->setScale(Ogre::Vector3(0.04F));
+    node->attachObject(ball);
+    const std::vector<int> shadowed = scene.draw();
+    scene.keepPicture("modulative-terminator");
+    ball->setCastShadows(false);
+    // What the ball's own shadow takes from itself.
+    std::size_t dark = 0;
+    const std::vector<int> bare = scene.draw();
+    const std::size_t width = scene.stage.window().getWidth();
+    const std::size_t centre = scene.pixelOf(Ogre::Vector3(0, 2, 2));
+    for (std::size_t y = centre / width - 20; y < centre / width + 20; ++y)
+        for (std::size_t x = centre % width - 20; x < centre % width + 20; ++x)
+            dark += shadowed[y * width + x] < bare[y * width + x] - 64 ? 1 : 0;
+    EXPECT_LT(dark, 8U) << "of 1600 pixels";
+}
+
 TEST(Receivers, KeepNoMapOfALightThatHasNone) {
     MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
     Ogre::Light& light = *scene.lights.front();

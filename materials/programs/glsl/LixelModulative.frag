@@ -9,13 +9,17 @@ uniform vec4 lixelLight; // position, or with w = 0 the direction towards the li
 
 out vec4 fragColour;
 
+// Cosine of the angle to the light from which on a shadow fades: 84 degrees.
+const float Grazing = 0.1;
+
 void main()
 {
     float visibility = lixelVisibility(mapCoordinate);
-    // A surface that faces away is dark by its shading: it has no light to lose. A mesh without
-    // normals faces nowhere, and is not shaded.
-    vec3 toLight = lixelLight.xyz - wsPosition * lixelLight.w;
-    if (wsNormal != vec3(0.0) && dot(wsNormal, toLight) <= 0.0) visibility = 1.0;
+    // A surface that faces away is dark by its shading: it has no light to lose, and one that the
+    // light grazes has little. A mesh without normals faces nowhere, and is not shaded.
+    vec3 toLight = normalize(lixelLight.xyz - wsPosition * lixelLight.w);
+    if (wsNormal != vec3(0.0))
+        visibility = mix(1.0, visibility, clamp(dot(normalize(wsNormal), toLight) / Grazing, 0.0, 1.0));
     // The picture holds the fog already, which no shadow darkens.
     visibility = mix(1.0, visibility, lixelThroughFog());
     fragColour = vec4(mix(shadowColour.rgb, vec3(1.0), visibility), 1.0);

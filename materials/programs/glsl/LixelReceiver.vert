@@ -10,6 +10,7 @@ in vec2 uv0;
 uniform mat4 worldViewProj;
 uniform mat4 world;
 uniform mat4 worldInverseTranspose;
+uniform mat4 diffuseMapMatrix; // scale, scroll, rotate of its texture unit
 #ifndef LIXEL_NO_MAP
 uniform vec4 lixelRowU;
 uniform vec4 lixelRowV;
@@ -23,7 +24,7 @@ void main()
     vec4 ws = world * vertex;
     wsPosition = ws.xyz;
     wsNormal = mat3(worldInverseTranspose) * normal;
-    uv = uv0;
+    uv = (diffuseMapMatrix * vec4(uv0, 0.0, 1.0)).xy;
 #ifdef LIXEL_NO_MAP
     mapCoordinate = vec4(0.0, 0.0, -1.0, 0.0);
 #else

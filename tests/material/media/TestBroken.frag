@@ -1,0 +1,6 @@
+#version 330 core
+out vec4 fragColour;
+void main()
+{
+    fragColour = vec4(thereIsNoSuchName);
+}
