@@ -6,6 +6,7 @@
 #include <OgreGpuProgramParams.h>
 #include <OgreLogManager.h>
 #include <OgreSceneManager.h>
+#include <OgreTextureManager.h>
 
 #include <algorithm>
 #include <map>
@@ -61,6 +62,9 @@ void SharedParameters::resourceGroupScriptingStarted(const Ogre::String&, std::s
 
 void SharedParameters::resourceGroupScriptingEnded(const Ogre::String&) {
     if (Ogre::GpuProgramManager::getSingletonPtr() == nullptr) return;
+    // OGRE binds this one to units without a texture, as a surface's DiffuseMap may be, and makes it
+    // when it is first wanted: in the midst of a pass, whose first texture it takes the place of.
+    Ogre::TextureManager::getSingleton()._getWarningTexture();
     for (const std::string& line : dropUnusableShadowMaterials())
         Ogre::LogManager::getSingleton().logWarning("Lixel: " + line);
 }

@@ -58,7 +58,7 @@ TEST(Receivers, MoveTheirDiffuseMapAsItsUnitSays) {
         std::vector<Ogre::TextureUnitState*> units;
         for (Ogre::Pass* pass : tiles->getTechnique(0)->getPasses()) {
             Ogre::TextureUnitState* const unit = pass->getTextureUnitState("DiffuseMap");
-            unit->setTexture(texture);
+            unit->setTextureName(texture->getName());
             unit->setTextureFiltering(Ogre::TFO_NONE);
             units.push_back(unit);
         }
