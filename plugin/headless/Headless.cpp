@@ -13,6 +13,8 @@
 
 #include "Lixel/headless/Headless.h"
 
+#include "Lixel/headless/Caller.h"
+
 #include <GL/glx.h>
 #include <GL/osmesa.h>
 #include <X11/Xlib.h>
@@ -91,7 +93,7 @@ using PublicDisplay = std::remove_pointer_t<_XPrivDisplay>;
 
 struct State {
     std::optional<OSMesa> mesa; ///< has a value if and only if headless rendering is on
-    Profile profile = Profile::Core;
+    Profile profile = Profile::Auto;
 
     PublicDisplay display = {};
     Screen screen = {};
@@ -211,8 +213,8 @@ std::optional<OSMesa> loadOSMesa(const Options& options, std::string& error) {
     return mesa;
 }
 
-/// Whether @a mesa can serve a render system of this profile in this program. If not, @a error
-/// says why.
+/// Whether @a mesa can serve a render system of this profile, which is not Auto, in this program.
+/// If not, @a error says why.
 bool canServe(const OSMesa& mesa, Profile profile, std::string& error) {
     void* program = dlopen(nullptr, RTLD_LAZY);
     const bool clearIsMesas = dlsym(program, "glClear") == dlsym(mesa.handle, "glClear");
@@ -236,6 +238,25 @@ bool canServe(const OSMesa& mesa, Profile profile, std::string& error) {
     return true;
 }
 
+/// The profile of the context that a render system asks for, or Auto if it can have none; then
+/// stderr has been told why.
+Profile profileFor(Caller caller) {
+    const State& s = state();
+    const Profile needed = caller == Caller::GL ? Profile::Compatibility : Profile::Core;
+    std::string error;
+    if (s.profile == Profile::Auto) {
+        // Core was found to be there when headless rendering was enabled.
+        if (needed == Profile::Core || canServe(*s.mesa, needed, error)) return needed;
+    } else {
+        if (s.profile == needed || caller == Caller::Other) return s.profile;
+        error = std::string("Headless rendering was enabled for another OpenGL profile than ") +
+                (caller == Caller::GL ? "RenderSystem_GL" : "RenderSystem_GL3Plus") +
+                " needs. Leave Options::profile at Auto.";
+    }
+    std::fprintf(stderr, "Lixel: %s\n", error.c_str());
+    return Profile::Auto;
+}
+
 } // namespace
 
 // -------------------------------------------------------------------------- the public functions
@@ -254,7 +275,9 @@ bool enable(std::string& error, const Options& options) {
     }
     std::optional<OSMesa> mesa = s.mesa ? s.mesa : loadOSMesa(options, error);
     if (!mesa) return false;
-    if (!canServe(*mesa, options.profile, error)) {
+    // Under Auto, Core is what most ask for; Compatibility is tried when somebody does.
+    const Profile likely = options.profile == Profile::Auto ? Profile::Core : options.profile;
+    if (!canServe(*mesa, likely, error)) {
         if (!s.mesa) dlclose(mesa->handle);
         return false;
     }
@@ -404,8 +427,11 @@ LIXEL_ENTRY GLXContext glXGetCurrentContext() {
     // A window is about to be made and takes over what it believes to be the application's context.
     // It is not made current here, because OGRE goes on drawing to the window before.
     s.windowAnnounced = false;
+    // Without a context OGRE throws; under the wrong profile it would end in an assertion.
+    const Profile profile = profileFor(callerAt(__builtin_return_address(0)));
+    if (profile == Profile::Auto) return nullptr;
     const OSMesaContext shareWith = s.surfaces.empty() ? nullptr : s.surfaces.front().context;
-    const OSMesaContext context = createContext(*s.mesa, s.profile, shareWith);
+    const OSMesaContext context = createContext(*s.mesa, profile, shareWith);
     if (!context) return nullptr;
     s.newSurface = &s.surfaces.emplace_back();
     s.newSurface->context = context;

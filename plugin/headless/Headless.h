@@ -45,12 +45,14 @@ namespace Lixel::Headless {
 enum class Profile {
     Core,          ///< for RenderSystem_GL3Plus
     Compatibility, ///< for RenderSystem_GL, the legacy one
+    Auto,          ///< what the render system needs that asks; Core if it is linked statically
 };
 
 /// What enable() may be told.
 struct Options {
-    /// The profile of the windows made from then on.
-    Profile profile = Profile::Core;
+    /// The profile of the windows made from then on. Under one that is not the render system's,
+    /// createRenderWindow throws, and stderr says why.
+    Profile profile = Profile::Auto;
     /// The OSMesa library, a name or a path as dlopen() takes it. It is loaded by enable() and not
     /// before, so that a program that links Lixel::Headless also starts where there is no OSMesa.
     std::string library = "libOSMesa.so.8";

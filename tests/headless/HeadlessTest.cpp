@@ -11,6 +11,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace Lixel::Tests {
@@ -77,18 +78,51 @@ TEST_F(Headless, DrawsInATexture) {
     expectRectangles(Picture(*target), white);
 }
 
-// The legacy render system calls some functions of OpenGL directly and needs the other profile.
-TEST_F(Headless, DrawsWithTheLegacyRenderSystem) {
-    std::string error;
-    ASSERT_TRUE(
-        Lixel::Headless::enable(error, {.profile = Lixel::Headless::Profile::Compatibility}))
-        << error;
+void drawWithTheLegacyRenderSystem() {
     OgreScene scene("RenderSystem_GL");
     auto* window = scene.createWindow("window", 320, 200, Lixel::Headless::windowParameters());
     addRectangles(scene);
     scene.show(window, ColourValue::Blue);
     scene.root().renderOneFrame();
     expectRectangles(Picture(*window), blue);
+}
+
+void expectNoWindowUnder(Lixel::Headless::Profile profile, const std::string& renderSystem) {
+    std::string error;
+    ASSERT_TRUE(Lixel::Headless::enable(error, {.profile = profile})) << error;
+    // Kept loaded, so that a leak report can tell that OGRE leaks the window.
+    ASSERT_TRUE(
+        dlopen((OGRE_PLUGIN_DIR "/" + renderSystem + ".so").c_str(), RTLD_NOW | RTLD_NODELETE));
+    OgreScene scene(renderSystem);
+    testing::internal::CaptureStderr();
+    EXPECT_THROW(scene.createWindow("window", 64, 48, Lixel::Headless::windowParameters()),
+                 Ogre::RenderingAPIException);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("another OpenGL profile than " + renderSystem + " needs"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+}
+
+// The legacy render system calls some functions of OpenGL directly and needs the other profile.
+TEST_F(Headless, DrawsWithTheLegacyRenderSystem) {
+    drawWithTheLegacyRenderSystem();
+}
+
+TEST_F(Headless, DrawsWithTheLegacyRenderSystemAskedFor) {
+    std::string error;
+    ASSERT_TRUE(
+        Lixel::Headless::enable(error, {.profile = Lixel::Headless::Profile::Compatibility}))
+        << error;
+    drawWithTheLegacyRenderSystem();
+}
+
+TEST_F(Headless, TheLegacyRenderSystemHasNoWindowUnderCore) {
+    expectNoWindowUnder(Lixel::Headless::Profile::Core, "RenderSystem_GL");
+}
+
+TEST_F(Headless, GL3PlusHasNoWindowUnderCompatibility) {
+    expectNoWindowUnder(Lixel::Headless::Profile::Compatibility, "RenderSystem_GL3Plus");
 }
 
 TEST_F(Headless, RootCanBeMadeAgain) {
