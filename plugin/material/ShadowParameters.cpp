@@ -22,12 +22,8 @@ namespace {
 
 /// The texture that a shadow camera draws; null where it is none of the scene manager's.
 Ogre::TexturePtr textureOf(const Ogre::Camera& shadowCamera, Ogre::SceneManager& manager) {
-    const Ogre::RenderTarget* const target = shadowCamera.getViewport()->getTarget();
-    const std::size_t count = manager.getShadowTextureConfigList().size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Ogre::TexturePtr& texture = manager.getShadowTexture(i);
-        if (texture->getBuffer()->getRenderTarget() == target) return texture;
-    }
+    for (const ShadowTarget& map : shadowTargetsOf(manager))
+        if (map.target == shadowCamera.getViewport()->getTarget()) return map.texture;
     return {};
 }
 

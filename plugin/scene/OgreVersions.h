@@ -3,14 +3,19 @@
 // OgreRenderQueueSortingGrouping.h of 14 needs it and does not include it.
 #include <OgreIteratorWrapper.h>
 
+#include <OgreHardwarePixelBuffer.h>
 #include <OgreRenderQueueSortingGrouping.h>
 #include <OgreRenderSystem.h>
+#include <OgreRenderTexture.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
+#include <OgreTexture.h>
 #include <OgreViewport.h>
 
+#include <cstdint>
 #include <string_view>
 #include <typeinfo>
+#include <vector>
 
 /** What differs between OGRE 1.12 and 14, under one name each.
 
@@ -24,9 +29,10 @@ inline constexpr const char* LightTypeName = "Light";
 
 #if OGRE_VERSION_MAJOR >= 13
 
-/// Listens to a scene manager and to its shadow textures, which have a listener of their own since 13.
-class SceneManagerListener : public Ogre::SceneManager::Listener, public Ogre::ShadowTextureListener {
-};
+/// Listens to a scene manager and to its shadow textures, which have a listener of their own
+/// since 13.
+class SceneManagerListener : public Ogre::SceneManager::Listener,
+                             public Ogre::ShadowTextureListener {};
 
 inline void addSceneManagerListener(Ogre::SceneManager& manager, SceneManagerListener& listener) {
     manager.addListener(&listener);
@@ -54,8 +60,23 @@ inline void removeSceneManagerListener(Ogre::SceneManager& manager,
 
 #endif
 
-/// Whether a scene manager is OGRE's default one, and of no class derived from it, which may draw by
-/// other rules. Asked by name, because the class is in no public header since 14.
+/// A factory of scene managers that knows the name of their type; since 13 it has no other metadata.
+class NamedSceneManagerFactory : public Ogre::SceneManagerFactory {
+public:
+    explicit NamedSceneManagerFactory(const Ogre::String& typeName) : mTypeName(typeName) {}
+#if OGRE_VERSION_MAJOR >= 13
+    const Ogre::String& getTypeName() const override { return mTypeName; }
+#else
+private:
+    void initMetaData() const override { mMetaData.typeName = mTypeName; }
+#endif
+
+private:
+    Ogre::String mTypeName;
+};
+
+/// Whether a scene manager is OGRE's default one, and of no class derived from it, which may draw
+/// by other rules. Asked by name, because the class is in no public header since 14.
 inline bool isDefaultSceneManager(const Ogre::SceneManager& manager) {
     return std::string_view(typeid(manager).name()) == "N4Ogre19DefaultSceneManagerE";
 }
@@ -82,12 +103,48 @@ void forPriorityGroups(const Ogre::RenderQueueGroup& group, const Visit& visit) 
 #endif
 }
 
-/// Whether a scene manager was given a shadow caster and receiver material. True where OGRE does not
-/// let it be known, from 14 on.
+/// A shadow map's texture, and the target that its camera draws into.
+struct ShadowTarget {
+    Ogre::TexturePtr texture;
+    const Ogre::RenderTarget* target;
+};
+
+/// A scene manager's shadow maps in the order in which OGRE deals them out to lights. Since 14 one
+/// texture may hold several, as layers or faces.
+inline std::vector<ShadowTarget> shadowTargetsOf(Ogre::SceneManager& manager) {
+    std::vector<ShadowTarget> targets;
+    const std::size_t textures = manager.getShadowTextureConfigList().size();
+    for (std::size_t i = 0; i < textures; ++i) {
+        const Ogre::TexturePtr& texture = manager.getShadowTexture(i);
+#if OGRE_VERSION_MAJOR >= 14
+        for (std::uint32_t layer = 0; layer < texture->getNumLayers(); ++layer)
+            targets.push_back({texture, texture->getRenderTarget(layer)});
+#else
+        targets.push_back({texture, texture->getBuffer()->getRenderTarget()});
+#endif
+    }
+    return targets;
+}
+
+/// Whether OGRE draws all maps of a texture in one pass, which one camera culls.
+inline bool drawsMapsTogether([[maybe_unused]] const Ogre::Texture& texture) {
+#if OGRE_MIN_VERSION(14, 4, 0)
+    return (texture.getUsage() & Ogre::TU_TARGET_ALL_LAYERS) != 0 && texture.getNumLayers() > 1;
+#else
+    return false;
+#endif
+}
+
+/// Whether a scene manager was given a shadow caster and receiver material. True where OGRE does
+/// not let it be known, from 14 on.
 struct ShadowMaterialAccess : Ogre::SceneManager {
 #if OGRE_VERSION_MAJOR >= 14
-    static bool hasCaster(Ogre::SceneManager&) { return true; }
-    static bool hasReceiver(Ogre::SceneManager&) { return true; }
+    static bool hasCaster(Ogre::SceneManager&) {
+        return true;
+    }
+    static bool hasReceiver(Ogre::SceneManager&) {
+        return true;
+    }
 #else
     static bool hasCaster(Ogre::SceneManager& manager) {
         return (manager.*(&ShadowMaterialAccess::mShadowRenderer)).mShadowTextureCustomCasterPass !=

@@ -4,6 +4,7 @@
 #include "scene/CasterVolume.h"
 #include "scene/Identity.h"
 #include "scene/OgreMath.h"
+#include "scene/OgreVersions.h"
 #include "scene/SceneWatch.h"
 #include "scene/SurveyCache.h"
 #include "setup/LightGuard.h"
@@ -53,7 +54,8 @@ ShadowLight describe(const Ogre::Light& light, const Ogre::Camera& viewer, const
     case Ogre::Light::LT_SPOTLIGHT:
         result.kind = LightKind::Spot;
         break;
-    default:
+    default: // rectangles too, which OGRE has since 14: as if all of their light came from the
+             // middle
         result.kind = LightKind::Point;
         break;
     }
@@ -70,7 +72,12 @@ void logWarning(const Ogre::String& message) {
 }
 
 /// What the log is told of a light beside reasons, as kinds of news behind these.
-enum Trouble : unsigned { TooFewTextures = 24, NoMapsOfItsOwn, BodyWithoutBounds };
+enum Trouble : unsigned {
+    TooFewTextures = 24,
+    NoMapsOfItsOwn,
+    BodyWithoutBounds,
+    MapsDrawnTogether
+};
 static_assert(static_cast<unsigned>(FitReason::TooFewMaps) < TooFewTextures);
 
 void logReason(const Ogre::Light& light, FitReason reason) {
@@ -82,14 +89,15 @@ void logReason(const Ogre::Light& light, FitReason reason) {
     logWarning(message);
 }
 
-/// Shadow textures from a camera's own on: OGRE gives lights what is left.
-std::size_t texturesFrom(const Ogre::Camera& shadowCamera, Ogre::SceneManager& sceneManager) {
-    const Ogre::RenderTarget* const target = shadowCamera.getViewport()->getTarget();
-    const std::size_t count = sceneManager.getShadowTextureConfigList().size();
-    for (std::size_t i = 0; i < count; ++i)
-        if (sceneManager.getShadowTexture(i)->getBuffer()->getRenderTarget() == target)
-            return count - i;
-    return count;
+/// Shadow maps from a camera's own on: OGRE gives lights what is left. The camera's is the first;
+/// none where it is not the scene manager's.
+std::vector<ShadowTarget> targetsFrom(const Ogre::Camera& shadowCamera,
+                                      Ogre::SceneManager& sceneManager) {
+    std::vector<ShadowTarget> targets = shadowTargetsOf(sceneManager);
+    const auto own =
+        std::ranges::find(targets, shadowCamera.getViewport()->getTarget(), &ShadowTarget::target);
+    targets.erase(targets.begin(), own);
+    return targets;
 }
 
 /// What serves no point at all.
@@ -220,6 +228,14 @@ std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
                                             const Ogre::Camera& shadowCamera,
                                             Ogre::SceneManager& sceneManager, LightNews& news) {
     const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
+    const std::vector<ShadowTarget> targets = targetsFrom(shadowCamera, sceneManager);
+    if (!targets.empty() && drawsMapsTogether(*targets.front().texture)) {
+        if (news.isNew(MapsDrawnTogether, frame))
+            logWarning("no shadow map for light '" + light.getName() +
+                       "': its shadow texture draws all of its layers in one pass "
+                       "(TU_TARGET_ALL_LAYERS), and each of Lixel's maps has casters of its own");
+        return 0;
+    }
     const std::size_t wanted = sceneManager.getShadowTextureCountPerLightType(light.getType());
     if (wanted <= 1) return 1;
     if (!sceneManager.isShadowTechniqueIntegrated()) {
@@ -231,7 +247,7 @@ std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
                 "gets one map");
         return 1;
     }
-    const std::size_t left = texturesFrom(shadowCamera, sceneManager);
+    const std::size_t left = targets.empty() ? wanted : targets.size();
     if (left < wanted && news.isNew(TooFewTextures, frame))
         logWarning("light '" + light.getName() + "' should have " + std::to_string(wanted) +
                    " shadow maps, and there are textures for " + std::to_string(left) +

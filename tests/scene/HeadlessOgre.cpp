@@ -1,5 +1,7 @@
 #include "HeadlessOgre.h"
 
+#include "scene/OgreVersions.h"
+
 #include <Lixel/headless/Headless.h>
 
 #include <OgreHighLevelGpuProgram.h>
@@ -25,15 +27,13 @@ public:
     const Ogre::String& getTypeName() const override { return OtherManager; }
 };
 
-class OtherSceneManagerFactory : public Ogre::SceneManagerFactory {
+class OtherSceneManagerFactory : public NamedSceneManagerFactory {
 public:
+    OtherSceneManagerFactory() : NamedSceneManagerFactory(OtherManager) {}
     Ogre::SceneManager* createInstance(const Ogre::String& name) override {
         return new OtherSceneManager(name);
     }
     void destroyInstance(Ogre::SceneManager* manager) override { delete manager; }
-
-private:
-    void initMetaData() const override { mMetaData.typeName = OtherManager; }
 };
 
 void createProgram(const std::string& name, Ogre::GpuProgramType type, const char* source) {

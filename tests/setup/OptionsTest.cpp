@@ -202,7 +202,7 @@ TEST(Options, Cascades) {
     EXPECT_EQ(setup.getSplitDepths(), std::vector<Ogre::Real>({3, 20}));
     for (const Ogre::ShadowCameraSetupPtr& wrong :
          {Ogre::ShadowCameraSetupPtr(), Ogre::DefaultShadowCameraSetup::create(),
-          CascadesShadowCameraSetup::create()})
+          Ogre::ShadowCameraSetupPtr(CascadesShadowCameraSetup::create())})
         EXPECT_NE(refusal([&] { CascadesShadowCameraSetup::create(wrong); }).find("technique"),
                   std::string::npos);
 }

@@ -74,6 +74,30 @@ TEST(Sharing, OgresOwnSetupsFollowUndisturbed) {
     EXPECT_NE(before, xpsm);
 }
 
+/// OGRE 13.6 and newer give each shadow camera a culling frustum of its own, and crash where it is
+/// gone in the next frame.
+TEST(Sharing, AShadowCamerasCullingFrustumIsBackAfterItsPass) {
+    BoxOnGround scene;
+    scene.stage.drawFrame();
+    Ogre::Camera& shadowCamera = *scene.stage.sceneManager()
+                                      .getShadowTexture(0)
+                                      ->getBuffer()
+                                      ->getRenderTarget()
+                                      ->getViewport(0)
+                                      ->getCamera();
+    Ogre::Camera* const own = scene.stage.sceneManager().createCamera("own culling frustum");
+    scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode()->attachObject(own);
+    Ogre::Frustum* const before = shadowCamera.getCullingFrustum();
+    shadowCamera.setCullingFrustum(own);
+    EXPECT_LT(scene.visibilityAt(InShadow), 128) << "ours decides while the map is drawn";
+    EXPECT_EQ(shadowCamera.getCullingFrustum(), own);
+    // Without a map the pass is left out, and nothing may change either.
+    scene.box->setVisible(false);
+    scene.stage.drawFrame();
+    EXPECT_EQ(shadowCamera.getCullingFrustum(), own);
+    shadowCamera.setCullingFrustum(before);
+}
+
 TEST(Sharing, TwoCamerasInOneFrame) {
     BoxOnGround scene;
     Ogre::Camera* const other = scene.stage.sceneManager().createCamera("Other");
