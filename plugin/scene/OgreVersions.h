@@ -60,11 +60,11 @@ inline void removeSceneManagerListener(Ogre::SceneManager& manager,
 
 #endif
 
-/// A factory of scene managers that knows the name of their type; since 13 it has no other metadata.
+/// A factory of scene managers that knows the name of their type; since 14 it has no other metadata.
 class NamedSceneManagerFactory : public Ogre::SceneManagerFactory {
 public:
     explicit NamedSceneManagerFactory(const Ogre::String& typeName) : mTypeName(typeName) {}
-#if OGRE_VERSION_MAJOR >= 13
+#if OGRE_VERSION_MAJOR >= 14
     const Ogre::String& getTypeName() const override { return mTypeName; }
 #else
 private:
