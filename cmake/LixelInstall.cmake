@@ -32,7 +32,8 @@ install(DIRECTORY
   "${PROJECT_SOURCE_DIR}/plugin/headless"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/Lixel"
   FILES_MATCHING PATTERN "*.h"
-  PATTERN "headless/Caller.h" EXCLUDE)
+  PATTERN "headless/Caller.h" EXCLUDE
+  PATTERN "headless/EglDevice.h" EXCLUDE)
 
 install(EXPORT LixelTargets NAMESPACE Lixel:: DESTINATION "${LIXEL_INSTALL_PACKAGE}")
 configure_package_config_file(

@@ -7,7 +7,8 @@ set(LIXEL_NEWEST_OGRE 14) # any version that begins so
 
 # lixel_find_ogre([VERSION]): finds OGRE, of exactly that version where one is given, and checks it.
 #
-# Sets LIXEL_OGRE_SHADOW_MEDIA to OGRE's own programs for shadows, which a resource group has to hold.
+# Sets LIXEL_OGRE_SHADOW_MEDIA to OGRE's own programs for shadows, which a resource group has to hold,
+# and LIXEL_OGRE_USES_EGL to whether its OpenGL render systems make their contexts with EGL or GLX.
 macro(lixel_find_ogre)
   set(lixel_asked_ogre_dir "${OGRE_DIR}")
   # Without a version, because OGRE's package says of any but its own major one that it will not do.
@@ -24,6 +25,15 @@ macro(lixel_find_ogre)
       break()
     endif()
   endforeach()
+  set(LIXEL_OGRE_USES_EGL OFF)
+  if(EXISTS "${OGRE_PLUGIN_DIR}/RenderSystem_GL3Plus.so")
+    # The libraries that it needs are among its strings.
+    file(STRINGS "${OGRE_PLUGIN_DIR}/RenderSystem_GL3Plus.so" lixel_egl
+         REGEX "^libEGL\\.so" LIMIT_COUNT 1)
+    if(lixel_egl)
+      set(LIXEL_OGRE_USES_EGL ON)
+    endif()
+  endif()
 endmacro()
 
 # Refuses an OGRE that was not asked for, or that Lixel does not work with, in one line.

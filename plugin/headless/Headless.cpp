@@ -10,10 +10,15 @@
 //  3. All OpenGL functions of GL3+ are looked up through glXGetProcAddressARB. The legacy render
 //     system also calls some directly, which the dynamic linker finds in OSMesa if that was loaded
 //     before libGL.
+//
+// OGRE 13 and newer, built with EGL instead of GLX, needs less: without an X display a render
+// system draws into a buffer of the first EGL device. So XOpenDisplay finds none for it, and OSMesa
+// and all functions of GLX stay out of it.
 
 #include "Lixel/headless/Headless.h"
 
 #include "Lixel/headless/Caller.h"
+#include "Lixel/headless/EglDevice.h"
 
 #include <GL/glx.h>
 #include <GL/osmesa.h>
@@ -35,6 +40,9 @@
 namespace {
 
 using namespace Lixel::Headless;
+
+/// How the OGRE that this was built with makes its OpenGL contexts.
+constexpr bool UsesEgl = LIXEL_OGRE_USES_EGL != 0;
 
 // ---------------------------------------------------------------------------- the real libraries
 
@@ -92,7 +100,8 @@ struct Surface {
 using PublicDisplay = std::remove_pointer_t<_XPrivDisplay>;
 
 struct State {
-    std::optional<OSMesa> mesa; ///< has a value if and only if headless rendering is on
+    bool enabled = false;
+    std::optional<OSMesa> mesa; ///< if headless rendering is on, and not by EGL
     Profile profile = Profile::Auto;
 
     PublicDisplay display = {};
@@ -120,6 +129,11 @@ State& state() {
         return made;
     }();
     return theState;
+}
+
+/// Whether GLX is answered here: headless rendering is on, and by OSMesa.
+bool isServed() {
+    return state().mesa.has_value();
 }
 
 Display* standIn() {
@@ -273,6 +287,7 @@ bool enable(std::string& error, const Options& options) {
                 "(libLixelHeadless.so), before libX11 and libGL.";
         return false;
     }
+    if (UsesEgl) return s.enabled = s.enabled || hasEglDevice(error);
     std::optional<OSMesa> mesa = s.mesa ? s.mesa : loadOSMesa(options, error);
     if (!mesa) return false;
     // Under Auto, Core is what most ask for; Compatibility is tried when somebody does.
@@ -283,15 +298,17 @@ bool enable(std::string& error, const Options& options) {
     }
     s.mesa = mesa;
     s.profile = options.profile;
+    s.enabled = true;
     return true;
 }
 
 bool isEnabled() {
-    return state().mesa.has_value();
+    return state().enabled;
 }
 
 std::map<std::string, std::string> windowParameters() {
     if (!isEnabled()) return {};
+    if (UsesEgl) return {{"externalGLControl", "true"}};
     state().windowAnnounced = true;
     return {{"currentGLContext", "true"}, {"externalGLControl", "true"}};
 }
@@ -318,15 +335,19 @@ bool isDisplayUsable() {
 #define LIXEL_ENTRY extern "C" LIXEL_HEADLESS_EXPORT
 
 LIXEL_ENTRY Display* glXGetCurrentDisplay() {
-    return isEnabled() ? standIn() : forward<&glXGetCurrentDisplay>(__func__);
+    return isServed() ? standIn() : forward<&glXGetCurrentDisplay>(__func__);
 }
 
 LIXEL_ENTRY Display* XOpenDisplay(const char* name) {
     State& s = state();
-    if (!name || std::string_view(name) != s.displayName)
-        return forward<&XOpenDisplay>(__func__, name);
-    ++s.connections;
-    return standIn();
+    if (name && std::string_view(name) == s.displayName) {
+        ++s.connections;
+        return standIn();
+    }
+    // With EGL, a render system that finds no display uses an EGL device. Others find the user's.
+    if (s.enabled && !name && callerAt(__builtin_return_address(0)) != Caller::Other)
+        return nullptr;
+    return forward<&XOpenDisplay>(__func__, name);
 }
 
 LIXEL_ENTRY int XCloseDisplay(Display* display) {
@@ -421,7 +442,7 @@ LIXEL_ENTRY int glXGetFBConfigAttrib(Display* display, GLXFBConfig config, int a
 }
 
 LIXEL_ENTRY GLXContext glXGetCurrentContext() {
-    if (!isEnabled()) return forward<&glXGetCurrentContext>(__func__);
+    if (!isServed()) return forward<&glXGetCurrentContext>(__func__);
     State& s = state();
     if (!s.windowAnnounced) return contextOf(currentSurface());
     // A window is about to be made and takes over what it believes to be the application's context.
@@ -439,7 +460,7 @@ LIXEL_ENTRY GLXContext glXGetCurrentContext() {
 }
 
 LIXEL_ENTRY GLXDrawable glXGetCurrentDrawable() {
-    if (!isEnabled()) return forward<&glXGetCurrentDrawable>(__func__);
+    if (!isServed()) return forward<&glXGetCurrentDrawable>(__func__);
     State& s = state();
     return drawableOf(s.newSurface ? std::exchange(s.newSurface, nullptr) : currentSurface());
 }
@@ -471,6 +492,6 @@ LIXEL_ENTRY Bool glXMakeCurrent(Display* display, GLXDrawable drawable, GLXConte
 }
 
 LIXEL_ENTRY __GLXextFuncPtr glXGetProcAddressARB(const GLubyte* name) {
-    if (!isEnabled()) return forward<&glXGetProcAddressARB>(__func__, name);
+    if (!isServed()) return forward<&glXGetProcAddressARB>(__func__, name);
     return state().mesa->getProcAddress(reinterpret_cast<const char*>(name));
 }

@@ -24,6 +24,10 @@
         root.initialise(false);
         root.createRenderWindow("any name", 800, 600, false, &window);
 
+    OGRE 13 and newer is usually built with EGL instead of GLX, and then draws without a server on
+    the first EGL device: a GPU, or Mesa's software where there is none. With such an OGRE this
+    library only keeps render systems from the display that there may be, and needs no OSMesa.
+
     The program itself, not a plugin that it loads, has to link the library, and before libX11 and
     libGL: the CMake target Lixel::Headless puts it first. If it is not, enable() says so.
 
@@ -53,7 +57,8 @@ struct Options {
     /// The profile of the windows made from then on. Under one that is not the render system's,
     /// createRenderWindow throws, and stderr says why.
     Profile profile = Profile::Auto;
-    /// The OSMesa library, a name or a path as dlopen() takes it. It is loaded by enable() and not
+    /// The OSMesa library, a name or a path as dlopen() takes it. Neither this nor the profile is
+    /// used where OGRE was built with EGL. It is loaded by enable() and not
     /// before, so that a program that links Lixel::Headless also starts where there is no OSMesa.
     std::string library = "libOSMesa.so.8";
 };
@@ -82,6 +87,14 @@ struct Options {
     render systems are, that is with Ogre::Root, not with the window.
 
     Without these parameters (or with `Root::initialise(true)`) createRenderWindow throws.
+
+    Where OGRE was built with EGL it makes the window itself: of exactly the given size, which has
+   to be what EGL can draw, and resize() can only make it smaller.
+
+    Several windows: OGRE 13 and newer draws nothing but the background into all but the first,
+   shown on a display or not, because it makes one program pipeline for all, and OpenGL shares none
+   between contexts. Before Root::initialise, turn them off:
+    `renderSystem->setConfigOption("Separate Shader Objects", "No")`.
     @return the parameters, or an empty map while isEnabled() is false */
 [[nodiscard]] LIXEL_HEADLESS_EXPORT std::map<std::string, std::string> windowParameters();
 

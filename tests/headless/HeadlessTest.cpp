@@ -13,11 +13,20 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 
 namespace Lixel::Tests {
 namespace {
 
 using Ogre::ColourValue;
+
+/// Built with EGL, OGRE makes the contexts itself, and OSMesa has no part in it.
+constexpr bool usesEgl = LIXEL_OGRE_USES_EGL != 0;
+const char* const onlyWithGlx = "OGRE was built with EGL";
+
+bool isInstalled(const std::string& renderSystem) {
+    return std::filesystem::exists(OGRE_PLUGIN_DIR "/" + renderSystem + ".so");
+}
 
 constexpr unsigned red = 0xFF0000, green = 0x00FF00, blue = 0x0000FF, white = 0xFFFFFF;
 
@@ -79,6 +88,7 @@ TEST_F(Headless, DrawsInATexture) {
 }
 
 void drawWithTheLegacyRenderSystem() {
+    if (!isInstalled("RenderSystem_GL")) GTEST_SKIP() << "this OGRE has no RenderSystem_GL";
     OgreScene scene("RenderSystem_GL");
     auto* window = scene.createWindow("window", 320, 200, Lixel::Headless::windowParameters());
     addRectangles(scene);
@@ -88,6 +98,8 @@ void drawWithTheLegacyRenderSystem() {
 }
 
 void expectNoWindowUnder(Lixel::Headless::Profile profile, const std::string& renderSystem) {
+    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
+    if (!isInstalled(renderSystem)) GTEST_SKIP() << "this OGRE has no " << renderSystem;
     std::string error;
     ASSERT_TRUE(Lixel::Headless::enable(error, {.profile = profile})) << error;
     // Kept loaded, so that a leak report can tell that OGRE leaks the window.
@@ -139,7 +151,7 @@ TEST_F(Headless, RootCanBeMadeAgain) {
 }
 
 TEST_F(Headless, WindowsKeepTheirOwnPictures) {
-    OgreScene scene("RenderSystem_GL3Plus");
+    OgreScene scene("RenderSystem_GL3Plus", 2);
     auto* first = scene.createWindow("first", 64, 48, Lixel::Headless::windowParameters());
     addRectangles(scene);
     scene.show(first, ColourValue::Blue);
@@ -155,7 +167,8 @@ TEST_F(Headless, WindowsKeepTheirOwnPictures) {
 
 // Documented: the third one shares the framebuffer of the window that was drawn last, the first.
 TEST_F(Headless, AWindowWithUsedParametersSharesAFramebuffer) {
-    OgreScene scene("RenderSystem_GL3Plus");
+    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
+    OgreScene scene("RenderSystem_GL3Plus", 3);
     auto* first = scene.createWindow("first", 64, 48, Lixel::Headless::windowParameters());
     const Parameters used = Lixel::Headless::windowParameters();
     auto* second = scene.createWindow("second", 80, 60, used);
@@ -180,6 +193,7 @@ TEST_F(Headless, AWindowCanBeResized) {
     scene.show(window, ColourValue::Blue);
     scene.root().renderOneFrame();
     for (const auto& [width, height] : {std::pair{400u, 300u}, std::pair{40u, 20u}}) {
+        if (usesEgl && width > 64) continue; // documented: it cannot grow
         window->resize(width, height);
         scene.root().renderOneFrame();
         EXPECT_EQ(window->getWidth(), width);
@@ -189,7 +203,8 @@ TEST_F(Headless, AWindowCanBeResized) {
 }
 
 TEST_F(Headless, SizesAreKeptWithinWhatCanBeDrawn) {
-    OgreScene scene("RenderSystem_GL3Plus");
+    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
+    OgreScene scene("RenderSystem_GL3Plus", 2);
     auto* empty = scene.createWindow("empty", 0, 0, Lixel::Headless::windowParameters());
     EXPECT_EQ(empty->getWidth(), 1u);
     EXPECT_EQ(empty->getHeight(), 1u);
@@ -204,6 +219,7 @@ TEST_F(Headless, SizesAreKeptWithinWhatCanBeDrawn) {
 }
 
 TEST_F(Headless, AWindowWithoutItsParametersIsAnError) {
+    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
     // Kept loaded, so that a leak report can tell that OGRE leaks the window.
     ASSERT_TRUE(dlopen(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so", RTLD_NOW | RTLD_NODELETE));
     OgreScene scene("RenderSystem_GL3Plus");
@@ -220,6 +236,7 @@ TEST_F(Headless, RootNeedsNoWindow) {
 // ------------------------------------------------------- what does not need a render window
 
 TEST(HeadlessErrors, NoOSMesa) {
+    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
     ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
     std::string error;
     EXPECT_FALSE(Lixel::Headless::enable(error, {.library = "libNoSuchOSMesa.so.8"}));
@@ -230,6 +247,7 @@ TEST(HeadlessErrors, NoOSMesa) {
 }
 
 TEST(HeadlessErrors, NotOSMesa) {
+    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
     ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
     std::string error;
     EXPECT_FALSE(Lixel::Headless::enable(error, {.library = "libm.so.6"}));
@@ -238,6 +256,7 @@ TEST(HeadlessErrors, NotOSMesa) {
 }
 
 TEST(HeadlessErrors, CanBeEnabledAfterAFailure) {
+    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
     std::string error;
     ASSERT_FALSE(Lixel::Headless::enable(error, {.library = "libNoSuchOSMesa.so.8"}));
     error.clear();
@@ -248,6 +267,7 @@ TEST(HeadlessErrors, CanBeEnabledAfterAFailure) {
 
 // Without enable() the render system must reach the real libX11, which finds no server.
 TEST(HeadlessErrors, NotEnabled) {
+    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
     ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
     unsetenv("DISPLAY");
     Ogre::LogManager logs;
@@ -256,6 +276,19 @@ TEST(HeadlessErrors, NotEnabled) {
     Ogre::Root root("", "", "");
     EXPECT_THROW(root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus"),
                  Ogre::RenderingAPIException);
+}
+
+TEST(HeadlessByEgl, NeedsNoOSMesa) {
+    if (!usesEgl) GTEST_SKIP() << "OGRE was built with GLX";
+    unsetenv("DISPLAY");
+    std::string error;
+    ASSERT_TRUE(Lixel::Headless::enable(error, {.library = "libNoSuchOSMesa.so.8"})) << error;
+    OgreScene scene("RenderSystem_GL3Plus");
+    auto* window = scene.createWindow("window", 320, 200, Lixel::Headless::windowParameters());
+    addRectangles(scene);
+    scene.show(window, ColourValue::Blue);
+    scene.root().renderOneFrame();
+    expectRectangles(Picture(*window), blue);
 }
 
 TEST(DisplayUsable, NotWithoutAName) {

@@ -30,12 +30,15 @@ using Parameters = std::map<std::string, std::string>;
 class OgreScene {
 public:
     /// @param renderSystem the plugin's name, for instance "RenderSystem_GL3Plus"
-    explicit OgreScene(const std::string& renderSystem) {
+    /// @param windows how many there will be
+    explicit OgreScene(const std::string& renderSystem, int windows = 1) {
         // Made before Root, which would else write Ogre.log.
         mLogs.createLog("", true, false, true);
         mRoot = std::make_unique<Ogre::Root>("", "", "");
         mRoot->loadPlugin(OGRE_PLUGIN_DIR "/" + renderSystem);
         mRoot->setRenderSystem(mRoot->getAvailableRenderers().front());
+        // What Lixel::Headless::windowParameters says of several windows.
+        if (windows > 1) mRoot->getRenderSystem()->setConfigOption("Separate Shader Objects", "No");
         mRoot->initialise(false);
     }
 
