@@ -1,7 +1,11 @@
 #include "fit/BodyHull.h"
 
+#include "fit/Lanes.h"
+#include "fit/VectorClones.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Lixel {
 namespace {
@@ -16,23 +20,52 @@ constexpr double Outward = 0x1p-36;
 /// Least that a face cuts off, relative to the body's size: less is not worth its vertices.
 constexpr double LeastBevel = 1.0 / 64.0;
 
-/// The half spaces around the points whose normals run towards a box's edges and corners.
-ConvexVolume bevels(std::span<const Vec3> positions, const Box& box) {
-    ConvexVolume volume;
-    for (int x = -1; x <= 1; ++x)
-        for (int y = -1; y <= 1; ++y)
-            for (int z = -1; z <= 1; ++z) {
-                if (x * x + y * y + z * z < 2) continue;
-                const Vec3 outward = Vec3(x, y, z).normalized();
-                double farthest = outward.dot(positions[0]);
-                for (const Vec3& position : positions)
-                    farthest = std::max(farthest, outward.dot(position));
-                const double reach =
-                    outward.dot(box.centre) + outward.cwiseAbs().dot(box.halfExtents);
-                if (reach - farthest > LeastBevel * box.halfExtents.maxCoeff())
-                    volume.add(-outward, farthest);
-            }
-    return volume;
+/// The axes of a 26-DOP in the order of an odometer over -1, 0, 1, the first half alone: the other
+/// half are their opposites.
+constexpr std::size_t AxisCount = 13;
+const std::array<Vec3, AxisCount>& axes() {
+    static const std::array<Vec3, AxisCount> all = [] {
+        std::array<Vec3, AxisCount> result;
+        for (std::size_t i = 0; i < AxisCount; ++i) {
+            const int k = static_cast<int>(i);
+            result.at(i) = Vec3(k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1).normalized();
+        }
+        return result;
+    }();
+    return all;
+}
+
+/// Points that are looked at together: few enough for the fastest memory.
+constexpr std::size_t BlockSize = 256;
+
+/// Coordinates side by side, for four points to be worked on at once.
+struct Block {
+    alignas(sizeof(Four)) std::array<std::array<double, BlockSize>, 3> coordinates;
+};
+
+/// Widens what is known of how far points reach along an axis.
+LIXEL_VECTOR_CLONES void reach(const Block& block, std::size_t count, const Vec3& axis,
+                               double& least, double& most) {
+    const Four x = Four{} + axis.x();
+    const Four y = Four{} + axis.y();
+    const Four z = Four{} + axis.z();
+    Four lower = Four{} + least;
+    Four upper = Four{} + most;
+    for (std::size_t i = 0; i < count; i += 4) {
+        Four px;
+        Four py;
+        Four pz;
+        load(block.coordinates[0].data() + i, px);
+        load(block.coordinates[1].data() + i, py);
+        load(block.coordinates[2].data() + i, pz);
+        const Four along = x * px + (y * py + z * pz);
+        lesser(along, lower, lower);
+        greater(along, upper, upper);
+    }
+    for (const double value : parts(lower))
+        least = std::min(least, value);
+    for (const double value : parts(upper))
+        most = std::max(most, value);
 }
 
 /// Sums up the tetrahedra between a body's middle, a face's middle and each of its edges.
@@ -64,18 +97,59 @@ double volumeOf(const BodyHull& hull) {
 
 } // namespace
 
-BodyHull makeBodyHull(std::span<const Vec3> positions) {
-    BodyHull hull;
-    if (positions.empty()) return hull;
-    Eigen::AlignedBox3d bounds;
-    for (const Vec3& position : positions) {
-        if (!position.allFinite()) return hull;
-        bounds.extend(position);
+BodyHullBuilder::BodyHullBuilder() {
+    static_assert(Axes == AxisCount);
+    mLeast.fill(std::numeric_limits<double>::infinity());
+    mMost.fill(-std::numeric_limits<double>::infinity());
+}
+
+void BodyHullBuilder::add(std::span<const Vec3> positions) {
+    Block block;
+    while (!positions.empty() && mFinite) {
+        const std::span<const Vec3> some = positions.first(std::min(positions.size(), BlockSize));
+        positions = positions.subspan(some.size());
+        std::size_t count = 0;
+        const auto append = [&](const Vec3& position) {
+            for (std::size_t k = 0; k < 3; ++k)
+                block.coordinates[k][count] = position[static_cast<Eigen::Index>(k)];
+            ++count;
+        };
+        for (const Vec3& position : some) {
+            mFinite = mFinite && position.allFinite();
+            append(position);
+        }
+        while (count % 4 != 0)
+            append(some.back());
+        for (std::size_t i = 0; i < Axes; ++i)
+            reach(block, count, axes()[i], mLeast[i], mMost[i]);
     }
+}
+
+BodyHull BodyHullBuilder::build() const {
+    BodyHull hull;
+    if (!mFinite || mLeast[0] > mMost[0]) return hull;
+    // The axes -x, -y and -z.
+    const Vec3 upper(-mLeast[4], -mLeast[10], -mLeast[12]);
+    const Vec3 lower(-mMost[4], -mMost[10], -mMost[12]);
+    const Eigen::AlignedBox3d bounds(lower, upper);
     const Box box{bounds.center(), bounds.sizes() / 2.0};
+
+    // The half spaces around the points whose normals run towards the box's edges and corners.
+    ConvexVolume bevels;
+    const auto bevel = [&](const Vec3& outward, double farthest) {
+        if ((outward.array() != 0.0).count() < 2) return;
+        const double corner = outward.dot(box.centre) + outward.cwiseAbs().dot(box.halfExtents);
+        if (corner - farthest > LeastBevel * box.halfExtents.maxCoeff())
+            bevels.add(-outward, farthest);
+    };
+    for (std::size_t i = 0; i < Axes; ++i)
+        bevel(axes()[i], mMost[i]);
+    for (std::size_t i = Axes; i-- > 0;)
+        bevel(-axes()[i], -mLeast[i]);
+
     ClipScratch scratch;
     std::vector<Vec3> all;
-    clipBox(box, bevels(positions, box), scratch, all);
+    clipBox(box, bevels, scratch, all);
 
     // The edges that are left, and their vertices.
     const double same = SameVertex * (bounds.min().cwiseAbs() + bounds.max().cwiseAbs()).maxCoeff();
@@ -100,6 +174,12 @@ BodyHull makeBodyHull(std::span<const Vec3> positions) {
         vertex += Outward * (vertex - box.centre);
     hull.volume = volumeOf(hull);
     return hull;
+}
+
+BodyHull makeBodyHull(std::span<const Vec3> positions) {
+    BodyHullBuilder builder;
+    builder.add(positions);
+    return builder.build();
 }
 
 void clipHull(const BodyHull& hull, const Eigen::Affine3d& wsFromBody, const ConvexVolume& volume,

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <span>
 
 namespace Lixel {
@@ -29,6 +30,24 @@ struct BodyHull {
 
 /// The hull of points; empty where there are none, or one that is not finite.
 BodyHull makeBodyHull(std::span<const Vec3> positions);
+
+/// Makes the hull of points that come a few at a time. The same points give the same hull, to the
+/// last bit, however they are divided.
+class BodyHullBuilder {
+public:
+    BodyHullBuilder();
+    void add(std::span<const Vec3> positions);
+    /// @return as makeBodyHull
+    BodyHull build() const;
+
+private:
+    /// Axes of the faces' normals: 3 of a box, 6 towards its edges, 4 towards its corners.
+    static constexpr std::size_t Axes = 13;
+    /// How far the points reach along each axis.
+    std::array<double, Axes> mLeast;
+    std::array<double, Axes> mMost;
+    bool mFinite = true;
+};
 
 /// Appends the vertices of hull ∩ volume to `points`.
 void clipHull(const BodyHull& hull, const Eigen::Affine3d& wsFromBody, const ConvexVolume& volume,

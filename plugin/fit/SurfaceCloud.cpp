@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace Lixel {
 namespace {
@@ -14,43 +13,58 @@ namespace {
 /// all but a few percent.
 constexpr double Overlap = std::numbers::sqrt2;
 
+/// Twice the area; 0 where that is not a number.
+double doubledArea(const Vec3& normal) {
+    const double area = normal.norm();
+    return std::isfinite(area) ? area : 0.0;
+}
+
 } // namespace
+
+void SurfaceCloudBuilder::measure(const Vec3& a, const Vec3& b, const Vec3& c) {
+    mSum += doubledArea((b - a).cross(c - a));
+}
+
+bool SurfaceCloudBuilder::isNextBefore(double sum) const {
+    const auto index = static_cast<double>(mCloud.surfels.size());
+    const auto count = static_cast<double>(mCount);
+    return mCloud.surfels.size() < mCount && mSum > 0.0 && std::isfinite(mSum) &&
+           sum > mSum * (index + 0.5) / count;
+}
+
+bool SurfaceCloudBuilder::skip(double sum) {
+    if (isNextBefore(sum)) return false;
+    mPassed = sum;
+    return true;
+}
+
+void SurfaceCloudBuilder::spread(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 normal = (b - a).cross(c - a);
+    mPassed += doubledArea(normal);
+    while (isNextBefore(mPassed)) {
+        // Evenly over the triangle: the unit square folded along its diagonal.
+        Vec2 uv = lowDiscrepancy(mCloud.surfels.size());
+        if (uv.sum() > 1.0) uv = Vec2::Ones() - uv;
+        const Vec3 centre = a + uv.x() * (b - a) + uv.y() * (c - a);
+        const double radius =
+            Overlap * std::sqrt(mSum / 2.0 / std::numbers::pi / static_cast<double>(mCount));
+        mCloud.surfels.push_back({centre, normal.stableNormalized(), radius});
+    }
+}
 
 SurfaceCloud makeSurfaceCloud(std::span<const Vec3> positions,
                               std::span<const std::array<std::uint32_t, 3>> triangles,
                               std::size_t count) {
-    // Twice the triangles' areas, summed up.
-    std::vector<double> sums;
-    sums.reserve(triangles.size());
-    double sum = 0.0;
-    const auto normalOf = [&](const std::array<std::uint32_t, 3>& triangle) {
-        if (std::max({triangle[0], triangle[1], triangle[2]}) >= positions.size())
-            return Vec3(Vec3::Zero());
-        const Vec3& a = positions[triangle[0]];
-        const Vec3 normal = (positions[triangle[1]] - a).cross(positions[triangle[2]] - a);
-        return normal.allFinite() ? normal : Vec3(Vec3::Zero());
+    SurfaceCloudBuilder builder(count);
+    const auto forTriangles = [&](auto visit) {
+        for (const auto& corners : triangles)
+            if (std::max({corners[0], corners[1], corners[2]}) < positions.size())
+                (builder.*visit)(positions[corners[0]], positions[corners[1]],
+                                 positions[corners[2]]);
     };
-    for (const auto& triangle : triangles)
-        sums.push_back(sum += normalOf(triangle).norm());
-
-    SurfaceCloud cloud;
-    if (!(sum > 0.0) || !std::isfinite(sum)) return cloud;
-    const double radius =
-        Overlap * std::sqrt(sum / 2.0 / std::numbers::pi / static_cast<double>(count));
-    for (std::size_t i = 0; i < count; ++i) {
-        const double at = sum * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-        const auto found = std::upper_bound(sums.begin(), sums.end(), at);
-        const auto index = static_cast<std::size_t>(found - sums.begin());
-        const auto& triangle = triangles[std::min(index, triangles.size() - 1)];
-        // Evenly over the triangle: the unit square folded along its diagonal.
-        Vec2 uv = lowDiscrepancy(i);
-        if (uv.sum() > 1.0) uv = Vec2::Ones() - uv;
-        const Vec3& a = positions[triangle[0]];
-        const Vec3 centre =
-            a + uv.x() * (positions[triangle[1]] - a) + uv.y() * (positions[triangle[2]] - a);
-        cloud.surfels.push_back({centre, normalOf(triangle).stableNormalized(), radius});
-    }
-    return cloud;
+    forTriangles(&SurfaceCloudBuilder::measure);
+    forTriangles(&SurfaceCloudBuilder::spread);
+    return builder.cloud();
 }
 
 } // namespace Lixel

@@ -40,6 +40,37 @@ SurfaceCloud makeSurfaceCloud(std::span<const Vec3> positions,
                               std::span<const std::array<std::uint32_t, 3>> triangles,
                               std::size_t count);
 
+/** Makes a cloud of triangles that come one at a time, and are not kept: twice the same ones, in
+   the same order. Gives what makeSurfaceCloud gives. */
+class SurfaceCloudBuilder {
+public:
+    /// @param count as for makeSurfaceCloud
+    explicit SurfaceCloudBuilder(std::size_t count) : mCount(count) {}
+
+    /// All triangles are measured first. What is not finite has no area.
+    void measure(const Vec3& a, const Vec3& b, const Vec3& c);
+    /// Twice the area so far.
+    double measured() const { return mSum; }
+    /// Then each of them gets the discs that fall to it.
+    void spread(const Vec3& a, const Vec3& b, const Vec3& c);
+    /// Passes the next triangles over, up to the one after which measured() was `sum`, unless discs
+    /// fall to them. @return whether it has
+    bool skip(double sum);
+    /// The discs so far: all of them when the last triangle that has an area has got its own.
+    const SurfaceCloud& cloud() const { return mCloud; }
+
+private:
+    /// Whether the next disc lies before the triangles' sum is that.
+    bool isNextBefore(double sum) const;
+
+    std::size_t mCount = 0;
+    /// Twice the area of all triangles.
+    double mSum = 0.0;
+    /// And of those that have got their discs.
+    double mPassed = 0.0;
+    SurfaceCloud mCloud;
+};
+
 /// A receiver whose surface is known better than from its box.
 struct KnownSurface {
     /// Index of its box among the problem's receivers.

@@ -107,6 +107,26 @@ TEST(BodyHull, OfNothingOrOfWhatIsNotANumberIsEmpty) {
     EXPECT_TRUE(makeBodyHull(points).empty());
 }
 
+/// However many are added at a time, to the last bit.
+RC_GTEST_PROP(BodyHull, InPartsIsTheWhole, ()) {
+    Dice dice(*anySeed());
+    std::vector<Vec3> points = anyPoints(dice);
+    for (std::size_t i = dice.chance(0.3) ? 600 : 0; i > 0; --i)
+        points.push_back(10.0 * dice.cube());
+    BodyHullBuilder builder;
+    for (std::span<const Vec3> left = points; !left.empty();) {
+        const std::size_t count = std::min(left.size(), 1 + dice.below(dice.chance(0.5) ? 5 : 500));
+        builder.add(left.first(count));
+        builder.add({});
+        left = left.subspan(count);
+    }
+    const BodyHull whole = makeBodyHull(points);
+    const BodyHull inParts = builder.build();
+    RC_ASSERT(inParts.vertices == whole.vertices);
+    RC_ASSERT(inParts.volume == whole.volume);
+    RC_ASSERT(inParts.edges.size() == whole.edges.size());
+}
+
 /// Clipped by planes, it has no vertex outside them, and all that was inside.
 RC_GTEST_PROP(ClipHull, IsTheHullWithinTheVolume, ()) {
     Dice dice(*anySeed());

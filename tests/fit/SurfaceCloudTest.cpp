@@ -105,6 +105,42 @@ TEST(SurfaceCloud, LeavesOutWhatIsNoTriangle) {
         EXPECT_TRUE(disc.centre.allFinite() && disc.centre.x() + disc.centre.y() <= 1.0 + 1e-12);
 }
 
+/// Triangles that no disc falls to need not be looked at twice.
+TEST(SurfaceCloud, IsTheSameWhereTrianglesArePassedOver) {
+    std::vector<Vec3> positions;
+    Triangles triangles;
+    Dice dice(5);
+    for (int i = 0; i < 300; ++i)
+        addRectangle(dice.cube(), dice.cube(), dice.chance(0.2) ? Vec3(Vec3::Zero()) : dice.cube(),
+                     positions, triangles);
+    const SurfaceCloud whole = makeSurfaceCloud(positions, triangles, 64);
+    SurfaceCloudBuilder builder(64);
+    std::vector<double> sums;
+    for (const auto& [a, b, c] : triangles) {
+        builder.measure(positions[a], positions[b], positions[c]);
+        sums.push_back(builder.measured());
+    }
+    int skipped = 0;
+    for (std::size_t i = 0; i < triangles.size();) {
+        const std::size_t end = std::min(i + 1 + dice.below(4), triangles.size());
+        if (builder.skip(sums[end - 1])) {
+            ++skipped;
+            i = end;
+        }
+        for (; i < end; ++i)
+            builder.spread(positions[triangles[i][0]], positions[triangles[i][1]],
+                           positions[triangles[i][2]]);
+    }
+    EXPECT_GT(skipped, 100);
+    const SurfaceCloud& cloud = builder.cloud();
+    ASSERT_EQ(cloud.surfels.size(), whole.surfels.size());
+    for (std::size_t i = 0; i < cloud.surfels.size(); ++i) {
+        EXPECT_EQ(cloud.surfels[i].centre, whole.surfels[i].centre);
+        EXPECT_EQ(cloud.surfels[i].normal, whole.surfels[i].normal);
+        EXPECT_EQ(cloud.surfels[i].radius, whole.surfels[i].radius);
+    }
+}
+
 TEST(SurfaceCloud, TellsWhereARoomsSurfaceIsFromWithin) {
     const Scene scene = inARoom();
     const SurfaceCloud cloud = room();
