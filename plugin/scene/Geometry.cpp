@@ -6,36 +6,65 @@
 #include <OgreVertexIndexData.h>
 
 #include <cstring>
+#include <memory>
 
 namespace Lixel {
 namespace {
 
+/// Reads things that lie side by side in a buffer, as bytes.
+std::unique_ptr<unsigned char[]> readBytes(Ogre::HardwareBuffer& buffer, std::size_t size,
+                                           std::size_t first, std::size_t count) {
+    const std::size_t held = buffer.getSizeInBytes() / size;
+    if (first > held || count > held - first)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, "a mesh's buffer is too short",
+                    "readBytes");
+    auto bytes = std::make_unique_for_overwrite<unsigned char[]>(count * size);
+    // Works for write-only buffers too: from their shadow copy, or through the driver.
+    if (count > 0) buffer.readData(first * size, count * size, bytes.get());
+    return bytes;
+}
+
 template <typename Index>
-std::vector<std::uint32_t> readIndicesAs(const Ogre::IndexData& data) {
-    std::vector<Index> raw(data.indexCount);
-    if (!raw.empty())
-        data.indexBuffer->readData(data.indexStart * sizeof(Index), raw.size() * sizeof(Index),
-                                   raw.data());
-    return {raw.begin(), raw.end()};
+void readIndicesAs(const Ogre::IndexData& data, std::size_t first, std::size_t count,
+                   std::uint32_t* indices) {
+    const auto bytes = readBytes(*data.indexBuffer, sizeof(Index), data.indexStart + first, count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Index index;
+        std::memcpy(&index, bytes.get() + i * sizeof(Index), sizeof(Index));
+        indices[i] = index;
+    }
+}
+
+std::size_t countCorners(const Ogre::RenderOperation& operation) {
+    if (!operation.useIndexes) return operation.vertexData->vertexCount;
+    return operation.indexData->indexBuffer ? operation.indexData->indexCount : 0;
 }
 
 /// The vertices in the order in which they are drawn.
-std::vector<std::uint32_t> drawOrder(const Ogre::RenderOperation& operation) {
-    if (operation.useIndexes) {
-        const Ogre::IndexData& data = *operation.indexData;
-        return data.indexBuffer->getType() == Ogre::HardwareIndexBuffer::IT_32BIT
-                   ? readIndicesAs<std::uint32_t>(data)
-                   : readIndicesAs<std::uint16_t>(data);
+void readDrawOrder(const Ogre::RenderOperation& operation, std::size_t first, std::size_t count,
+                   std::uint32_t* order) {
+    if (!operation.useIndexes) {
+        for (std::size_t i = 0; i < count; ++i)
+            order[i] = static_cast<std::uint32_t>(first + i);
+        return;
     }
-    std::vector<std::uint32_t> order(operation.vertexData->vertexCount);
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = static_cast<std::uint32_t>(i);
-    return order;
+    const Ogre::IndexData& data = *operation.indexData;
+    if (data.indexBuffer->getType() == Ogre::HardwareIndexBuffer::IT_32BIT)
+        readIndicesAs<std::uint32_t>(data, first, count, order);
+    else
+        readIndicesAs<std::uint16_t>(data, first, count, order);
 }
 
 } // namespace
 
 std::vector<Vec3> readPositions(const Ogre::VertexData& data) {
+    std::vector<Vec3> positions;
+    readPositions(data, 0, data.vertexCount, positions);
+    return positions;
+}
+
+void readPositions(const Ogre::VertexData& data, std::size_t first, std::size_t count,
+                   std::vector<Vec3>& positions) {
     const Ogre::VertexElement* element =
         data.vertexDeclaration->findElementBySemantic(Ogre::VES_POSITION);
     if (!element ||
@@ -45,40 +74,56 @@ std::vector<Vec3> readPositions(const Ogre::VertexData& data) {
     const Ogre::HardwareVertexBufferSharedPtr buffer =
         data.vertexBufferBinding->getBuffer(element->getSource());
     const std::size_t stride = buffer->getVertexSize();
-    // readData works for write-only buffers too: from their shadow copy, or through the driver.
-    std::vector<unsigned char> bytes(stride * data.vertexCount);
-    if (!bytes.empty()) buffer->readData(stride * data.vertexStart, bytes.size(), bytes.data());
-    std::vector<Vec3> positions(data.vertexCount);
-    for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto bytes = readBytes(*buffer, stride, data.vertexStart + first, count);
+    positions.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
         float xyz[3];
-        std::memcpy(xyz, bytes.data() + i * stride + element->getOffset(), sizeof xyz);
+        std::memcpy(xyz, bytes.get() + i * stride + element->getOffset(), sizeof xyz);
         positions[i] = Eigen::Vector3f(xyz[0], xyz[1], xyz[2]).cast<double>();
     }
-    return positions;
+}
+
+std::size_t countTriangles(const Ogre::RenderOperation& operation) {
+    const std::size_t corners = countCorners(operation);
+    switch (operation.operationType) {
+    case Ogre::RenderOperation::OT_TRIANGLE_LIST:
+        return corners / 3;
+    case Ogre::RenderOperation::OT_TRIANGLE_STRIP:
+    case Ogre::RenderOperation::OT_TRIANGLE_FAN:
+        return corners < 3 ? 0 : corners - 2;
+    default:
+        return 0;
+    }
 }
 
 std::vector<TriangleCorners> readTriangles(const Ogre::RenderOperation& operation) {
-    const std::vector<std::uint32_t> order = drawOrder(operation);
-    std::vector<TriangleCorners> corners;
-    switch (operation.operationType) {
-    case Ogre::RenderOperation::OT_TRIANGLE_LIST:
-        for (std::size_t i = 0; i + 2 < order.size(); i += 3)
-            corners.push_back({order[i], order[i + 1], order[i + 2]});
-        break;
-    case Ogre::RenderOperation::OT_TRIANGLE_STRIP:
-        for (std::size_t i = 0; i + 2 < order.size(); ++i) {
-            const std::size_t odd = i & 1U;
-            corners.push_back({order[i + odd], order[i + 1 - odd], order[i + 2]});
-        }
-        break;
-    case Ogre::RenderOperation::OT_TRIANGLE_FAN:
-        for (std::size_t i = 1; i + 1 < order.size(); ++i)
-            corners.push_back({order[0], order[i], order[i + 1]});
-        break;
-    default:
-        break;
+    std::vector<TriangleCorners> triangles;
+    readTriangles(operation, 0, countTriangles(operation), triangles);
+    return triangles;
+}
+
+void readTriangles(const Ogre::RenderOperation& operation, std::size_t first, std::size_t count,
+                   std::vector<TriangleCorners>& triangles) {
+    triangles.clear();
+    if (count == 0) return;
+    triangles.reserve(count);
+    if (operation.operationType == Ogre::RenderOperation::OT_TRIANGLE_LIST) {
+        triangles.resize(count);
+        readDrawOrder(operation, 3 * first, 3 * count, triangles.front().data());
+        return;
     }
-    return corners;
+    const bool fan = operation.operationType == Ogre::RenderOperation::OT_TRIANGLE_FAN;
+    std::uint32_t hub = 0;
+    if (fan) readDrawOrder(operation, 0, 1, &hub);
+    std::vector<std::uint32_t> order(count + 2);
+    readDrawOrder(operation, first, count + 2, order.data());
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t odd = (first + i) & 1U;
+        if (fan)
+            triangles.push_back({hub, order[i + 1], order[i + 2]});
+        else
+            triangles.push_back({order[i + odd], order[i + 1 - odd], order[i + 2]});
+    }
 }
 
 } // namespace Lixel

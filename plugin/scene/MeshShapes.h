@@ -2,12 +2,14 @@
 
 #include "fit/BodyHull.h"
 #include "fit/SurfaceCloud.h"
+#include "scene/MeshReading.h"
 
 #include <OgreAxisAlignedBox.h>
+// OgrePrerequisites.h of 1.12 declares MeshPtr and needs it.
+#include <OgreSharedPtr.h>
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace Ogre {
@@ -21,16 +23,43 @@ namespace Lixel {
 /** The shapes of meshes, as few discs of their surface and as a convex hull: read once from their
     buffers, and kept.
 
-    A mesh that is loaded anew is read anew. One whose buffers an application rewrites in place
-    keeps its first shape, but has no hull once its bounds change.
+    Buffers are read when a shape is first asked for, within what a frame has of time for it: a
+    large mesh takes several frames, and until then its box has to do. `prepare` reads all at once.
 
-    Null is what moves its vertices (skeletons, morphs, poses), and meshes without triangles that
-    can be read. What is not null holds for as long as the mesh is there, and is not loaded anew.
+    A mesh that is loaded anew, or gets other bounds, is read anew. One whose bounds change again
+   and again has no hull, until it is prepared. One whose buffers an application rewrites in place
+    otherwise keeps its first shape.
+
+    Null is what moves its vertices (skeletons, morphs, poses), meshes without triangles that can be
+    read, and what is not read yet. What is not null holds for as long as the mesh is there, and is
+    not to be read anew.
 */
 class LIXEL_API MeshShapes {
 public:
     /// Discs of each cloud: a wall of a room has a dozen and more.
     static constexpr std::size_t Discs = 128;
+
+    /// Microseconds to read meshes in, each frame: 3 % of a frame of 60 a second. Half of 1 ms,
+    /// which nobody notices, so that it holds on processors half as fast as the one that costs were
+    /// measured on (MeshReading.cpp).
+    static constexpr double DefaultFrameTime = 500.0;
+
+    /// Those of the process, which all scene managers share.
+    static MeshShapes& shared();
+
+    /// @param microseconds for each frame to read meshes in; 0 for none, infinity for all at once
+    void setFrameTime(double microseconds) { mFrameTime = microseconds; }
+    double frameTime() const { return mFrameTime; }
+
+    /** A viewer's picture begins: once a frame there is time to read meshes again.
+
+        Every so many pictures too, for applications that update their render targets by themselves,
+        and count no frames.
+        @param frame number of the frame that it belongs to */
+    void beginPicture(unsigned long frame);
+
+    /// Reads all that may ever be asked of a mesh, at once.
+    void prepare(const Ogre::MeshPtr& mesh);
 
     /// The surface of an entity, in its own space.
     const SurfaceCloud* cloudOf(const Ogre::Entity& entity);
@@ -41,19 +70,45 @@ public:
         programs of others than Lixel and OGRE's shader generator, which may move them */
     const BodyHull* hullOf(const Ogre::Entity& entity);
 
+    /// Bytes that were read from buffers so far, for statistics.
+    std::size_t bytesRead() const { return mBytesRead; }
+
 private:
     struct Entry {
         std::weak_ptr<Ogre::Mesh> mesh;
         std::size_t state = 0; ///< how often the mesh had been loaded
         Ogre::AxisAlignedBox bounds;
-        // Once they were asked for; empty where there is none.
-        std::optional<SurfaceCloud> cloud;
-        std::optional<BodyHull> hull;
+        /// How often it has got others.
+        unsigned boundsChanges = 0;
+        HullReading hull;
+        CloudReading cloud{Discs};
+
+        /// Its shape is not worth reading any more.
+        bool isRestless() const;
+        void readAnew();
     };
 
+    /// Null where vertices move.
     Entry* find(const Ogre::Entity& entity);
+    Entry& find(const Ogre::MeshPtr& mesh);
+    /// Reads on, for as long as this frame has time.
+    void advance(MeshReading& reading, const Ogre::Mesh& mesh);
+    void advance(MeshReading& reading, const Ogre::Mesh& mesh, ReadingAllowance& allowance);
 
     std::map<const Ogre::Mesh*, Entry> mEntries;
+    /// There were as many when those of meshes that have gone were last looked for.
+    std::size_t mSwept = 0;
+    double mFrameTime = DefaultFrameTime;
+    /// What is left of it: for all meshes, and for those that take several frames.
+    double mTimeLeft = DefaultFrameTime;
+    double mTimeLeftForLarge = LargeShare * DefaultFrameTime;
+    unsigned long mFrame = 0;
+    unsigned mPictures = 0;
+    std::size_t mBytesRead = 0;
+
+    /// Of a frame's time, for meshes that take several frames. The rest is for small ones, which
+    /// are there at once.
+    static constexpr double LargeShare = 0.75;
 };
 
 /// The hulls of a set's bodies, where these are entities that fill their world boxes badly.

@@ -8,6 +8,7 @@
 #include <OgreCamera.h>
 #include <OgreEntity.h>
 #include <OgreMovableObject.h>
+#include <OgreRoot.h>
 #include <OgreSceneNode.h>
 
 #include <limits>
@@ -32,6 +33,7 @@ bool needsSurface(const Box& box) {
 
 void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
                   double shadowDistance) {
+    mMeshes.beginPicture(Ogre::Root::getSingleton().getNextFrameNumber());
     mRules = SceneRules(viewer, viewport);
     mReceivers.clear();
     mSurfaces.clear();

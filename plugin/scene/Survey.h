@@ -40,7 +40,8 @@ namespace Lixel {
 */
 class LIXEL_API Survey {
 public:
-    Survey() = default;
+    /// @param meshes that surveys share; must outlive this one
+    explicit Survey(MeshShapes& meshes = MeshShapes::shared()) : mMeshes(meshes) {}
     Survey(const Survey&) = delete;
     Survey& operator=(const Survey&) = delete;
 
@@ -80,8 +81,7 @@ private:
     Vec3 mWsOrigin = Vec3::Zero();
     BoxSet mReceivers;
     ObjectShapes mReceiverShapes;
-    // The same for whoever looks at what was surveyed: memory, and nothing that can be seen.
-    mutable MeshShapes mMeshes;
+    MeshShapes& mMeshes;
     std::vector<KnownSurface> mSurfaces;
     Vec3 mLower = Vec3::Zero();
     Vec3 mUpper = Vec3::Zero();

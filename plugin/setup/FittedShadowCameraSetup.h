@@ -79,7 +79,8 @@ public:
         first read: turn it off where static buffers are rewritten in place. What may move vertices
         otherwise has no hull: vertex programs other than Lixel's and the shader generator's, larger
         bounds than the vertices', buffers that are not static, skeletons, vertex animations and
-        manual levels of detail. */
+        manual levels of detail. A large mesh has none for some frames, until it is read.
+        @see prepareMesh */
     void setMeshHulls(bool use) { mMeshHulls = use; }
     bool getMeshHulls() const { return mMeshHulls; }
 

@@ -1,5 +1,6 @@
 #include "SceneTest.h"
 
+#include <OgreFrameListener.h>
 #include <OgreRenderWindow.h>
 
 #include <memory>
@@ -60,6 +61,9 @@ Ogre::Entity* SceneTest::addCube(const Ogre::Vector3& position, float halfExtent
 }
 
 const Survey& SceneTest::takeSurvey() {
+    Ogre::FrameEvent event{};
+    mRoot._fireFrameRenderingQueued(
+        event); // the one before has ended: this one's number is another
     mManager->_updateSceneGraph(mCamera);
     mSurvey.take(*mCamera, *mViewport);
     return mSurvey;

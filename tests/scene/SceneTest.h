@@ -37,8 +37,8 @@ protected:
     Ogre::Entity* addCube(const Ogre::Vector3& position, float halfExtent = 0.5f,
                           bool receives = true, Ogre::SceneNode* parent = nullptr);
 
-    /// Brings boxes and positions up to date, as OGRE does before it prepares shadow textures, and
-    /// surveys what the viewer sees.
+    /// Begins another frame, brings boxes and positions up to date, as OGRE does before it prepares
+    /// shadow textures, and surveys what the viewer sees.
     const Survey& takeSurvey();
     /// The casters of the scene surveyed.
     const BoxSet& allCasters() { return mSearch.findAll(mSurvey); }

@@ -1,0 +1,132 @@
+#pragma once
+
+#include "fit/BodyHull.h"
+#include "fit/SurfaceCloud.h"
+#include "scene/ReadingAllowance.h"
+
+#include <OgreRenderOperation.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace Ogre {
+class Mesh;
+} // namespace Ogre
+
+namespace Lixel {
+
+/** Reads something of a mesh from its buffers, a part at a time.
+
+    Nothing of the mesh is held from one part to the next: what is in the buffers' place then is
+    compared with what was there, and where it is something else, reading starts anew.
+*/
+class MeshReading {
+public:
+    virtual ~MeshReading() = default;
+
+    /** Reads on, for as long as the allowance lasts.
+
+        Does nothing while a buffer is locked. Finds nothing, for good, where positions are not
+        floats, which OGRE logs, or memory is short. */
+    void advance(const Ogre::Mesh& mesh, ReadingAllowance& allowance) noexcept;
+    bool isDone() const { return mDone; }
+    /// What is left of the time to read this mesh, in microseconds.
+    double timeLeft(const Ogre::Mesh& mesh) const;
+    /// All that was read from buffers so far.
+    std::size_t bytesRead() const { return mBytesRead; }
+
+protected:
+    /// A submesh that has vertices, and what there is in its buffers' place.
+    struct Part {
+        Ogre::RenderOperation operation;
+        std::size_t triangles = 0;
+        /// Whether its vertices are those of the part before.
+        bool sharesVertices = false;
+        // To find out whether it is another: never followed.
+        const void* vertexBuffer = nullptr;
+        const void* indexBuffer = nullptr;
+        std::size_t vertexStart = 0;
+        std::size_t vertexCount = 0;
+        std::size_t vertexSize = 0;
+        std::size_t indexStart = 0;
+
+        bool operator==(const Part& other) const;
+        bool isLocked() const;
+    };
+    using Parts = std::vector<Part>;
+
+    virtual void restart() = 0;
+    /// @return whether all is read
+    virtual bool read(const Ogre::Mesh& mesh, const Parts& parts, ReadingAllowance& allowance) = 0;
+    virtual double timeFor(const Parts& parts) const = 0;
+
+    /// Reads the next vertices of a part into mPositions. @param each the price of one of them,
+    /// beside reading it @return false when the allowance is used up
+    bool readVertices(const Part& part, double each, ReadingAllowance& allowance);
+    static double timeForVertices(const Part& part, double each);
+
+    std::size_t mPart = 0;
+    /// In the part.
+    std::size_t mNext = 0;
+    std::vector<Vec3> mPositions;
+    std::size_t mBytesRead = 0;
+
+private:
+    static Parts partsOf(const Ogre::Mesh& mesh);
+
+    Parts mParts;
+    double mSpent = 0.0;
+    bool mDone = false;
+};
+
+/// The hull of all vertices; empty where one of them may not stay where it is.
+class HullReading final : public MeshReading {
+public:
+    const BodyHull& hull() const { return mHull; }
+
+private:
+    void restart() override;
+    bool read(const Ogre::Mesh& mesh, const Parts& parts, ReadingAllowance& allowance) override;
+    double timeFor(const Parts& parts) const override;
+
+    BodyHullBuilder mBuilder;
+    BodyHull mHull;
+};
+
+/// The surface of all triangles. Keeps a copy of all positions until it is done.
+class CloudReading final : public MeshReading {
+public:
+    /// @param discs of the cloud
+    explicit CloudReading(std::size_t discs) : mDiscs(discs), mBuilder(discs) {}
+
+    const SurfaceCloud& cloud() const { return mCloud; }
+
+private:
+    enum class Stage { Positions, Measure, Spread, Free };
+
+    void restart() override;
+    bool read(const Ogre::Mesh& mesh, const Parts& parts, ReadingAllowance& allowance) override;
+    double timeFor(const Parts& parts) const override;
+    bool readPositions(const Parts& parts, ReadingAllowance& allowance);
+    bool readTriangles(const Parts& parts, ReadingAllowance& allowance);
+    void use(const Part& part);
+    void begin(Stage stage);
+    Vec3 position(std::size_t index) const;
+
+    std::size_t mDiscs = 0;
+    Stage mStage = Stage::Positions;
+    /// Positions of all parts, in pieces: to give back all memory at once would take too long.
+    std::vector<std::unique_ptr<Eigen::Vector3f[]>> mPieces;
+    std::size_t mCount = 0;
+    /// Of each part, among all positions.
+    std::vector<std::size_t> mFirst;
+    std::vector<std::array<std::uint32_t, 3>> mTriangles;
+    /// What was measured after each block of triangles: most need not be read once more.
+    std::vector<double> mSums;
+    std::size_t mBlock = 0;
+    SurfaceCloudBuilder mBuilder;
+    SurfaceCloud mCloud;
+};
+
+} // namespace Lixel
