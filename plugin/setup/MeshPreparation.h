@@ -16,7 +16,8 @@ namespace Lixel {
     when they first need them, a little each frame (setMeshReadingTime): a mesh of a million
    vertices takes seconds, and until then its box has to do, which may make its map larger. Call
    this while a scene is loaded, for large meshes that should have their best map in the first
-   frame: it takes some tenths of a second for a million vertices.
+   frame: it takes about 0.1 s
+    for a million vertices.
 
     The mesh is loaded if it is not yet. A mesh whose vertices move has no shape, and nothing is
     read. What is loaded anew later, or gets other bounds, has to be prepared anew.
