@@ -12,8 +12,8 @@
     depth row and the matrices are here.
 
     Every fit and every division into parts is noexcept, for bad input gives a reason. Vectors of
-   its state and its problem grow to the scene's size nevertheless: where memory for that is
-   refused, the program ends (std::terminate).
+    its state and its problem grow to the scene's size nevertheless: where memory for that is
+    refused, the program ends (std::terminate).
 */
 namespace Lixel {
 

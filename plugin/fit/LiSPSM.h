@@ -33,7 +33,7 @@ struct LiSPSMOptions {
 
     For a local light P lies in the light's own image, and sin γ, the change of depth across the
     light, becomes that on a plane across the light's axis through the farthest receiver. The
-   light's own perspective is left as it is. An orthographic viewer gets the uniform map.
+    light's own perspective is left as it is. An orthographic viewer gets the uniform map.
 
     @return one map, or the reason why there is none. @see ShadowFit
 */

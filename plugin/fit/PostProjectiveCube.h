@@ -19,8 +19,8 @@ struct CubeOptions {
         C ((n . L) I - L nᵀ),
 
     with C the viewer's clip matrix, L the homogeneous light and n the face, which is that of a
-   plane optimal map (Chong and Gortler 2004) of the face. Kozlov draws whole faces; here each is
-   focused on the receivers that it serves, by the shared fit.
+    plane optimal map (Chong and Gortler 2004) of the face. Kozlov draws whole faces; here each is
+    focused on the receivers that it serves, by the shared fit.
 
     @param problem one with a part that facesOfView made; any other gives the uniform map, as an
     orthographic viewer does

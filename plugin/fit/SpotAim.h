@@ -23,7 +23,7 @@ inline constexpr double WidestAim = 1.3962634015954636;
 
     @param[out] spot the light as a spot, where there is one
     @return whether a cone of WidestAim holds one of them, in which bodies without bounds have no
-   part. Where there is nothing to shadow the cone is as good as any.
+    part. Where there is nothing to shadow the cone is as good as any.
 */
 bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spot);
 

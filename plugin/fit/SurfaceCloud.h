@@ -41,7 +41,7 @@ SurfaceCloud makeSurfaceCloud(std::span<const Vec3> positions,
                               std::size_t count);
 
 /** Makes a cloud of triangles that come one at a time, and are not kept: twice the same ones, in
-   the same order. Gives what makeSurfaceCloud gives. */
+    the same order. Gives what makeSurfaceCloud gives. */
 class SurfaceCloudBuilder {
 public:
     /// @param count as for makeSurfaceCloud

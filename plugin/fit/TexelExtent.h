@@ -22,7 +22,7 @@ struct MapSides {
 MapSides smallestMap(const double* x, const double* y, std::size_t count);
 
 /** How large a map's texels are on average over the samples, as a function of the warp: Chong's
-   "one combined measure of aliasing" (2006, §3.3), to be minimised.
+    "one combined measure of aliasing" (2006, §3.3), to be minimised.
 
     A pixel is classified wrongly where a texel lies across a shadow's edge, so how often that
     happens is the density of edges times the extent of a texel in the same plane. Edges spread

@@ -14,7 +14,7 @@ struct UniformOptions {
 
     Focused: texels are equal rectangles on any plane across the light, the focus region's smallest
     rectangle in as many parts as the map has texels. What a warped technique must not do worse
-   than.
+    than.
 
     Stable (the "stable light frustum" of Valient, ShaderX6 2008, which cascades on large landscapes
     use): the map does not depend on where receivers and casters are, so that shadows' edges stay as

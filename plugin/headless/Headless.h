@@ -89,11 +89,11 @@ struct Options {
     Without these parameters (or with `Root::initialise(true)`) createRenderWindow throws.
 
     Where OGRE was built with EGL it makes the window itself: of exactly the given size, which has
-   to be what EGL can draw, and resize() can only make it smaller.
+    to be what EGL can draw, and resize() can only make it smaller.
 
     Several windows: OGRE 13 and newer draws nothing but the background into all but the first,
-   shown on a display or not, because it makes one program pipeline for all, and OpenGL shares none
-   between contexts. Before Root::initialise, turn them off:
+    shown on a display or not, because it makes one program pipeline for all, and OpenGL shares none
+    between contexts. Before Root::initialise, turn them off:
     `renderSystem->setConfigOption("Separate Shader Objects", "No")`.
     @return the parameters, or an empty map while isEnabled() is false */
 [[nodiscard]] LIXEL_HEADLESS_EXPORT std::map<std::string, std::string> windowParameters();

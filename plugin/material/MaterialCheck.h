@@ -21,11 +21,11 @@ namespace Lixel {
 
     Each line names the material and what to do, and is said once: surfaces that OGRE will refuse to
     draw, or that read no shadow map; programs whose parameters are bound wrongly; casters that
-   write another depth than the rest; shadow textures that cannot hold
-    it, or that are too few; lights without a setup.
+    write another depth than the rest; shadow textures that cannot hold it, or that are too few;
+    lights without a setup.
 
     Looking costs time, so it is done in the first frames of a scene manager, and then every
-   Interval frames.
+    Interval frames.
 */
 class MaterialCheck : public Ogre::RenderObjectListener {
 public:

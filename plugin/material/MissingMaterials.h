@@ -13,7 +13,7 @@ namespace Lixel {
 
     OGRE's own have no programs, and can be drawn by a fixed function or by the shader system's
     programs; without either OGRE throws in the midst of a frame. One line for each, for the log.
-   None with OGRE 14 and newer, which does not let it be known.
+    None with OGRE 14 and newer, which does not let it be known.
 */
 std::vector<std::string> findMissingMaterials(Ogre::SceneManager& manager);
 

@@ -12,7 +12,7 @@ namespace Lixel {
     Told apart by their names are uniforms that begin with `lixel`, as LixelShadow.glsl,
     LixelCaster.glsl and LixelFog.glsl declare them: each has to be bound to its own `light_custom`
     number, or be in a shared set that the parameters refer to. Of uniforms with other names,
-   numbers that mean none of Lixel's parameters, but look like one, are found.
+    numbers that mean none of Lixel's parameters, but look like one, are found.
 */
 std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& parameters);
 

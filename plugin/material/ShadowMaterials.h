@@ -13,8 +13,8 @@ namespace Lixel {
 /** Sets a scene manager's shadow caster and receiver material by their names.
 
     The same as SceneManager::setShadowTextureCasterMaterial and setShadowTextureReceiverMaterial
-   with MaterialManager::getByName, which gives a null material for a wrong name: OGRE takes that
-   for no material, and ends in an exception about another.
+    with MaterialManager::getByName, which gives a null material for a wrong name: OGRE takes that
+    for no material, and ends in an exception about another.
 
     @param sceneManager whose materials are set
     @param receiver empty for none: integrated shadow techniques take none

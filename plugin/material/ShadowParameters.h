@@ -44,10 +44,10 @@ enum LightParameter : unsigned short {
 /** Binds each shadow map to the materials that use it, by itself.
 
     Light custom parameters reach additive and integrated receivers. Modulative receivers, which
-   OGRE draws without lights, read the shared parameters `Lixel/ModulativeReceiver`, set again right
+    OGRE draws without lights, read the shared parameters `Lixel/ModulativeReceiver`, set right
     before each of their passes; casters read `Lixel/Caster`, set right before each map is drawn.
-   The scene manager's fog is in `Lixel/Fog`. Under the additive and modulative techniques, surfaces
-    with a `shadow_receiver_material` of their own get the map of the light that is drawn.
+    The scene manager's fog is in `Lixel/Fog`. Under the additive and modulative techniques,
+    surfaces with a `shadow_receiver_material` of their own get the map of the light that is drawn.
 */
 class LIXEL_API ShadowParameters : public ShadowMapObserver {
 public:

@@ -16,7 +16,7 @@ namespace Lixel {
 /** The sets of shared parameters that Lixel's programs refer to by `shared_params_ref`.
 
     They are made when scripts begin to be parsed, not by a script: OGRE refuses to make a set
-   twice, and so refused to parse a group of scripts anew.
+    twice, and so refused to parse a group of scripts anew.
 
     The functions do nothing where there are no sets yet.
 */

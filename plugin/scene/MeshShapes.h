@@ -27,7 +27,7 @@ namespace Lixel {
     large mesh takes several frames, and until then its box has to do. `prepare` reads all at once.
 
     A mesh that is loaded anew, or gets other bounds, is read anew. One whose bounds change again
-   and again has no hull, until it is prepared. One whose buffers an application rewrites in place
+    and again has no hull, until it is prepared. One whose buffers an application rewrites in place
     otherwise keeps its first shape.
 
     Null is what moves its vertices (skeletons, morphs, poses), meshes without triangles that can be

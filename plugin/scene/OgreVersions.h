@@ -65,10 +65,14 @@ class NamedSceneManagerFactory : public Ogre::SceneManagerFactory {
 public:
     explicit NamedSceneManagerFactory(const Ogre::String& typeName) : mTypeName(typeName) {}
 #if OGRE_VERSION_MAJOR >= 14
-    const Ogre::String& getTypeName() const override { return mTypeName; }
+    const Ogre::String& getTypeName() const override {
+        return mTypeName;
+    }
 #else
 private:
-    void initMetaData() const override { mMetaData.typeName = mTypeName; }
+    void initMetaData() const override {
+        mMetaData.typeName = mTypeName;
+    }
 #endif
 
 private:

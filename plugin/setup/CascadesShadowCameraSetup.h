@@ -26,7 +26,8 @@ public:
 
     /// With Optimal in each slice.
     static std::shared_ptr<CascadesShadowCameraSetup> create();
-    static std::shared_ptr<CascadesShadowCameraSetup> create(const Ogre::ShadowCameraSetupPtr& technique) {
+    static std::shared_ptr<CascadesShadowCameraSetup>
+    create(const Ogre::ShadowCameraSetupPtr& technique) {
         return std::make_shared<CascadesShadowCameraSetup>(technique);
     }
 

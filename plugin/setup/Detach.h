@@ -9,8 +9,8 @@ namespace Lixel {
     not handed anew.
 
     For when the library is about to be unloaded while scenes live: the plugin calls it when it
-   shuts down. Setups that are used afterwards work, begin without memory, and hang themselves in
-   again.
+    shuts down. Setups that are used afterwards work, begin without memory, and hang themselves in
+    again.
 */
 LIXEL_API void detachFromOgre();
 

@@ -19,8 +19,8 @@ namespace Lixel {
 class LIXEL_API ObservedShadowCameraSetup : public Ogre::ShadowCameraSetup {
 public:
     /// @throws Ogre::InvalidParametersException where `inner` is null.
-    static std::shared_ptr<ObservedShadowCameraSetup> create(const Ogre::ShadowCameraSetupPtr& inner,
-                                             Ogre::Real depthBias = 0);
+    static std::shared_ptr<ObservedShadowCameraSetup>
+    create(const Ogre::ShadowCameraSetupPtr& inner, Ogre::Real depthBias = 0);
     /// Use create(). @param depthBias in world units, as FittedShadowCameraSetup::setDepthBias.
     ObservedShadowCameraSetup(const Ogre::ShadowCameraSetupPtr& inner, Ogre::Real depthBias);
 

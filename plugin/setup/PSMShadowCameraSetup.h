@@ -10,7 +10,9 @@ namespace Lixel {
    behind the viewer. @see fit/Psm.h */
 class LIXEL_API PSMShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    static std::shared_ptr<PSMShadowCameraSetup> create() { return std::make_shared<PSMShadowCameraSetup>(); }
+    static std::shared_ptr<PSMShadowCameraSetup> create() {
+        return std::make_shared<PSMShadowCameraSetup>();
+    }
 
     /// How far the virtual viewer slides back to balance near and far (Kozlov's Figure 14-6),
     /// relative to the geometric mean of the nearest and the farthest receiver's depth: 0 favours

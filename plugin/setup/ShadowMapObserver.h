@@ -48,7 +48,7 @@ public:
 /** Observers are called in the order in which they were added. Adding one twice has no effect.
 
     They may be added, removed and destroyed while they are told about a map: who is gone is not
-   told any more, who is new is told from the next map on. */
+    told any more, who is new is told from the next map on. */
 LIXEL_API void addShadowMapObserver(ShadowMapObserver& observer);
 LIXEL_API void removeShadowMapObserver(ShadowMapObserver& observer);
 /// For those who make shadow maps: tells every observer.

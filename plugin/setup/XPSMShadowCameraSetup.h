@@ -10,7 +10,9 @@ namespace Lixel {
     map. @see fit/Xpsm.h */
 class LIXEL_API XPSMShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    static std::shared_ptr<XPSMShadowCameraSetup> create() { return std::make_shared<XPSMShadowCameraSetup>(); }
+    static std::shared_ptr<XPSMShadowCameraSetup> create() {
+        return std::make_shared<XPSMShadowCameraSetup>();
+    }
 
     /// Strength of the warp, a pure number: 0 is uniform, 1 LiSPSM's balance of near and far.
     /// @throws Ogre::InvalidParametersException unless finite and >= 0.

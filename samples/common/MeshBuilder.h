@@ -18,9 +18,9 @@ struct ProfilePoint {
 /** Collects shapes into one mesh with positions, normals and one set of texture coordinates.
 
     Every solid is closed: no crack between neighbours, fronts counter-clockwise and outward,
-   normals of unit length. Lengths are the mesh's units; texture coordinates advance by 1 per 4 of
-   them. Shapes are placed by `transform`, which must keep angles (rotation, translation, one
-   scale).
+    normals of unit length. Lengths are the mesh's units; texture coordinates advance by 1 per 4 of
+    them. Shapes are placed by `transform`, which must keep angles (rotation, translation, one
+    scale).
 */
 class MeshBuilder {
 public:

@@ -39,8 +39,8 @@ std::vector<TableCase> measureTable(const TableOptions& options);
 
     Ratios are paired geometric means with their 95 % interval, over all cases, over those of suns,
     of the scene `duel` (suns, too) and of lamps; half a pixel is added to both errors, so that no
-   error at all has a ratio too. Cases in which the baseline's error is below LeastBaseline say
-   nothing and are left out, and counted.
+    error at all has a ratio too. Cases in which the baseline's error is below LeastBaseline say
+    nothing and are left out, and counted.
     @param setups the table's
     @param baseline index into them
 */

@@ -82,7 +82,7 @@ Vec3 eyeOf(const ShadowViewer& viewer);
 Vec3 forwardOf(const ShadowViewer& viewer);
 
 /** A plain outdoor scene: a flat ground of 200 x 200, nine boxes standing on it 4 to 28 units
-   ahead, and a viewer of 60° at height 2 that looks slightly down. Light comes from the side. */
+    ahead, and a viewer of 60° at height 2 that looks slightly down. Light comes from the side. */
 Scene outdoors();
 
 /// A scene scaled about the problem's origin; the same fit is expected.

@@ -20,7 +20,7 @@ struct Sweep {
 /** Through every direction that is special to the viewer, the light, or the axes of the world.
 
     All are over the same field: nine boxes on one flat ground. Within 0.1 radians none of them
-   comes into a view or a cone, or leaves it: maps may then change at once.
+    comes into a view or a cone, or leaves it: maps may then change at once.
 */
 const std::vector<Sweep>& sweeps();
 
