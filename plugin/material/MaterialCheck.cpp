@@ -20,6 +20,7 @@
 #include <OgreTextureUnitState.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Lixel {
 namespace {
@@ -118,11 +119,11 @@ void MaterialCheck::checkLights(const std::set<const Ogre::Light*>& withMaps) {
         needed += mManager.getShadowTextureCountPerLightType(light->getType());
         if (hasTexture && mDrawsLixelsCasters && withMaps.count(light) == 0)
             say("light " + quoted(light->getName()) +
-                " casts shadows by no setup that Lixel knows of, and so none that Lixel's "
-                "materials "
+                " casts shadows by no setup that Lixel knows of, and so none that Lixel's materials "
                 "show: give it one of Lixel's, or its own inside ObservedShadowCameraSetup");
     }
-    if (needed > textures)
+    // Numbers of lights come and go; once is enough.
+    if (needed > textures && !std::exchange(mSaidTooFewTextures, true))
         say("scene manager " + quoted(mManager.getName()) + " has " + std::to_string(textures) +
             " shadow textures, and the " + std::to_string(lights) +
             " lights that cast shadows here take " + std::to_string(needed) +
@@ -136,13 +137,11 @@ void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
         say("material " + quoted(materialOf(pass)) +
             (isSplitOff(pass) && technique.getPass(0)->hasFragmentProgram()
                  ? " loses its fragment program where OGRE splits its pass for additive shadows, "
-                   "and "
-                   "cannot be drawn: give it one pass of illumination_stage ambient and one of "
-                   "per_light, as Lixel/Surface has"
+                   "and cannot be drawn: give it one pass of illumination_stage ambient and one "
+                   "of per_light, as Lixel/Surface has"
                  : " has no programs, and this render system draws nothing without: inherit "
                    "Lixel/Surface (if it does, its group may not find General: see OGRE's errors "
-                   "in "
-                   "this log), or let OGRE's shader system make some") +
+                   "in this log), or let OGRE's shader system make some") +
             Manual);
         return;
     }
@@ -151,8 +150,7 @@ void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
         say("material " + quoted(materialOf(pass)) +
             " reads no shadow map, so nothing casts shadows on it: under an integrated shadow "
             "technique use Lixel/Surface/Integrated, or give it texture units of content_type "
-            "shadow "
-            "and LixelShadow.glsl; or say receive_shadows off" +
+            "shadow and LixelShadow.glsl; or say receive_shadows off" +
             Manual);
 }
 

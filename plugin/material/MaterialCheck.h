@@ -64,6 +64,7 @@ private:
     bool mLooks = false;
     bool mListens = false;
     std::set<std::string> mSaid;
+    bool mSaidTooFewTextures = false;
     /// This frame's caster passes, each with the name of a material whose shadow it draws.
     std::map<const Ogre::Pass*, std::string> mCasters;
     /// This frame's other passes, receivers among them.

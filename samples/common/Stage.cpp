@@ -1,6 +1,7 @@
 #include "common/Stage.h"
 
 #include <Lixel/headless/Headless.h>
+#include <Lixel/material/ShadowMaterials.h>
 #include <Lixel/setup/MeshPreparation.h>
 
 #include <OgreConfigFile.h>
@@ -28,12 +29,6 @@ template <typename Function>
 Function* glFunction(const char* name) {
     return reinterpret_cast<Function*>(
         glXGetProcAddressARB(reinterpret_cast<const unsigned char*>(name)));
-}
-
-Ogre::MaterialPtr material(const Ogre::String& name) {
-    Ogre::MaterialPtr found = Ogre::MaterialManager::getSingleton().getByName(name);
-    if (!found) throw std::runtime_error("resources.cfg leads to no material '" + name + "'");
-    return found;
 }
 
 /// Adds what resources.cfg lists: "[group]" sections of "type=path".
@@ -90,8 +85,7 @@ void Stage::open(const StageOptions& options) {
     mSceneManager->getRootSceneNode()->createChildSceneNode()->attachObject(mLight);
 
     mSceneManager->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE);
-    mSceneManager->setShadowTextureCasterMaterial(material("Lixel/Caster"));
-    mSceneManager->setShadowTextureReceiverMaterial(material(ShownReceiver));
+    setShadowMaterials(*mSceneManager, ShownReceiver);
     mSceneManager->setShadowTextureSelfShadow(true);
     setShadowMapSize(1024);
 }
@@ -167,10 +161,12 @@ std::vector<std::uint8_t> Stage::picture() {
 std::vector<std::uint8_t> Stage::drawVisibility() {
     const Ogre::ColourValue ambient = mSceneManager->getAmbientLight();
     mSceneManager->setAmbientLight(Ogre::ColourValue::Black);
-    mSceneManager->setShadowTextureReceiverMaterial(material("Lixel/Receiver/Visibility"));
+    auto& materials = Ogre::MaterialManager::getSingleton();
+    mSceneManager->setShadowTextureReceiverMaterial(
+        materials.getByName("Lixel/Receiver/Visibility"));
     drawFrame();
     const std::vector<std::uint8_t> rgb = picture();
-    mSceneManager->setShadowTextureReceiverMaterial(material(ShownReceiver));
+    mSceneManager->setShadowTextureReceiverMaterial(materials.getByName(ShownReceiver));
     mSceneManager->setAmbientLight(ambient);
 
     std::vector<std::uint8_t> visibility(rgb.size() / 3);
