@@ -10,10 +10,15 @@ set(LIXEL_NEWEST_OGRE 14) # any version that begins so
 # Sets LIXEL_OGRE_SHADOW_MEDIA to OGRE's own programs for shadows, which a resource group has to hold,
 # and LIXEL_OGRE_USES_EGL to whether its OpenGL render systems make their contexts with EGL or GLX.
 macro(lixel_find_ogre)
+  if("${ARGN}" STREQUAL "")
+    lixel_forget_ogre_of_other_prefixes()
+  endif()
   set(lixel_asked_ogre_dir "${OGRE_DIR}")
   # Without a version, because OGRE's package says of any but its own major one that it will not do.
   if("${ARGN}" STREQUAL "")
     find_package(OGRE CONFIG REQUIRED)
+    set(LIXEL_OGRE_DIR "${OGRE_DIR}" CACHE INTERNAL "Where the last search found OGRE")
+    set(LIXEL_OGRE_PREFIXES "${CMAKE_PREFIX_PATH}" CACHE INTERNAL "CMAKE_PREFIX_PATH then")
   else()
     find_package(OGRE ${ARGN} EXACT CONFIG REQUIRED)
   endif()
@@ -35,6 +40,16 @@ macro(lixel_find_ogre)
     endif()
   endif()
 endmacro()
+
+# find_package keeps what it once found. Where CMAKE_PREFIX_PATH has changed since, it searches anew;
+# what was given by -DOGRE_DIR stays.
+function(lixel_forget_ogre_of_other_prefixes)
+  get_property(type CACHE OGRE_DIR PROPERTY TYPE)
+  if(DEFINED LIXEL_OGRE_PREFIXES AND NOT LIXEL_OGRE_PREFIXES STREQUAL "${CMAKE_PREFIX_PATH}" AND
+     "${OGRE_DIR}" STREQUAL "${LIXEL_OGRE_DIR}" AND NOT type STREQUAL "UNINITIALIZED")
+    unset(OGRE_DIR CACHE)
+  endif()
+endfunction()
 
 # Refuses an OGRE that was not asked for, or that Lixel does not work with, in one line.
 function(lixel_check_ogre asked_dir)
