@@ -1,0 +1,9 @@
+#pragma once
+
+#include "Deed.h"
+
+namespace Lixel::Tests {
+
+const std::vector<Deed>& lightDeeds();
+
+} // namespace Lixel::Tests
