@@ -4,11 +4,13 @@
 #include <OgreIteratorWrapper.h>
 
 #include <OgreHardwarePixelBuffer.h>
+#include <OgreLight.h>
 #include <OgreRenderQueueSortingGrouping.h>
 #include <OgreRenderSystem.h>
 #include <OgreRenderTexture.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
+#include <OgreSceneNode.h>
 #include <OgreTexture.h>
 #include <OgreViewport.h>
 
@@ -78,6 +80,40 @@ private:
 private:
     Ogre::String mTypeName;
 };
+
+#ifdef OGRE_NODELESS_POSITIONING // which is off since 13 unless OGRE is built with it
+
+// It is all deprecated.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
+/// A light's own direction, in its node's space.
+inline Ogre::Vector3 ownDirection(const Ogre::Light& light) {
+    return light.getDirection();
+}
+
+/// Changes it, to a NaN as well, which SceneNode::setDirection refuses.
+inline void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
+    light.setDirection(direction);
+}
+
+#pragma GCC diagnostic pop
+
+#else
+
+/// The direction of a light's node, in the space of that node's parent: lights have none of their
+/// own.
+inline Ogre::Vector3 ownDirection(const Ogre::Light& light) {
+    return -light.getParentSceneNode()->getOrientation().zAxis();
+}
+
+/// Changes it, to a NaN as well, which SceneNode::setDirection refuses. Needs a node.
+inline void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
+    light.getParentSceneNode()->setOrientation(
+        Ogre::Vector3::NEGATIVE_UNIT_Z.getRotationTo(direction.normalisedCopy()));
+}
+
+#endif
 
 /// Whether a scene manager is OGRE's default one, and of no class derived from it, which may draw
 /// by other rules. Asked by name, because the class is in no public header since 14.

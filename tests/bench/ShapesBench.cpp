@@ -42,7 +42,7 @@ Ogre::MeshPtr makeHills(const std::string& name, unsigned side, bool shadowBuffe
     Ogre::SubMesh* const part = mesh->createSubMesh();
     part->useSharedVertices = false;
     part->vertexData = OGRE_NEW Ogre::VertexData();
-    part->vertexData->vertexCount = std::size_t{side} * side;
+    part->vertexData->vertexCount = Ogre::uint32{side} * side;
     Ogre::VertexDeclaration& declaration = *part->vertexData->vertexDeclaration;
     declaration.addElement(0, 0, Ogre::VET_FLOAT3, Ogre::VES_POSITION);
     declaration.addElement(0, 12, Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
@@ -68,7 +68,7 @@ Ogre::MeshPtr makeHills(const std::string& name, unsigned side, bool shadowBuffe
             const unsigned i = z * side + x;
             indices.insert(indices.end(), {i, i + side, i + 1, i + 1, i + side, i + side + 1});
         }
-    part->indexData->indexCount = indices.size();
+    part->indexData->indexCount = static_cast<Ogre::uint32>(indices.size());
     part->indexData->indexBuffer =
         buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, indices.size(),
                                   Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY, shadowBuffers);

@@ -2,6 +2,8 @@
 
 #include "common/Surface.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <cmath>
 
 namespace Lixel::Tests {
@@ -117,12 +119,12 @@ void HardScene::sunExactly(const Ogre::Vector3& direction) {
     setOwnDirection(direction);
 }
 
+Ogre::Vector3 HardScene::ownDirection() const {
+    return Lixel::ownDirection(*light);
+}
+
 void HardScene::setOwnDirection(const Ogre::Vector3& direction) {
-// What OGRE would do away with is the only way to hand it a direction unchecked.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-    light->setDirection(direction);
-#pragma GCC diagnostic pop
+    Lixel::setOwnDirection(*light, direction);
 }
 
 } // namespace Lixel::Tests

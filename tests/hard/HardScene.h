@@ -48,6 +48,7 @@ public:
     void sunAt(float azimuth, float elevation);
     void spot(const Ogre::Vector3& position, const Ogre::Vector3& target, float outerDegrees);
     /// The light's own direction, unchecked: nodes refuse what is not finite.
+    Ogre::Vector3 ownDirection() const;
     void setOwnDirection(const Ogre::Vector3& direction);
 
 private:

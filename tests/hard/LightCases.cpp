@@ -46,9 +46,12 @@ HardCase badDirection(const std::string& name, const Ogre::Vector3& direction) {
     HardCase bad;
     bad.name = name;
     bad.build = [](HardScene& scene) { scene.addField(); };
-    bad.change = [=](HardScene& scene) { scene.setOwnDirection(direction); };
-    // Attached, a light's own direction is relative to its node's.
-    bad.repair = [](HardScene& scene) { scene.setOwnDirection(Ogre::Vector3::NEGATIVE_UNIT_Z); };
+    const auto good = std::make_shared<Ogre::Vector3>();
+    bad.change = [=](HardScene& scene) {
+        *good = scene.ownDirection();
+        scene.setOwnDirection(direction);
+    };
+    bad.repair = [=](HardScene& scene) { scene.setOwnDirection(*good); };
     return bad;
 }
 

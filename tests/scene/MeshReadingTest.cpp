@@ -55,7 +55,7 @@ void addLand(Ogre::Mesh& mesh, const Land& land) {
     part->useSharedVertices = false;
     part->operationType = land.type;
     part->vertexData = OGRE_NEW Ogre::VertexData();
-    part->vertexData->vertexCount = land.vertices();
+    part->vertexData->vertexCount = static_cast<Ogre::uint32>(land.vertices());
     Ogre::VertexDeclaration& declaration = *part->vertexData->vertexDeclaration;
     declaration.addElement(0, 0, Ogre::VET_FLOAT3, Ogre::VES_POSITION);
     declaration.addElement(0, 12, Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
@@ -70,7 +70,7 @@ void addLand(Ogre::Mesh& mesh, const Land& land) {
             indices.insert(indices.end(), {i + 1, i + land.side, i + land.side + 1});
         }
     indices[7] = static_cast<std::uint32_t>(land.vertices()); // beyond the vertices
-    part->indexData->indexCount = indices.size();
+    part->indexData->indexCount = static_cast<Ogre::uint32>(indices.size());
     part->indexData->indexBuffer = Ogre::HardwareBufferManager::getSingleton().createIndexBuffer(
         Ogre::HardwareIndexBuffer::IT_32BIT, indices.size(),
         Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY, land.shadowBuffers);
@@ -405,7 +405,7 @@ TEST_P(MeshReadingTest, WithOtherBuffersHalfWayItIsReadAnew) {
     Ogre::VertexData& data = *mesh->getSubMesh(0)->vertexData;
     const Land other{.side = 350, .height = 0.2f};
     data.vertexBufferBinding->setBinding(0, makeVertices(other));
-    data.vertexCount = other.vertices();
+    data.vertexCount = static_cast<Ogre::uint32>(other.vertices());
     const BodyHull* hull = nullptr;
     framesUntilHull(*entity, hull);
     EXPECT_EQ(hull, nullptr); // it fills its bounds no more

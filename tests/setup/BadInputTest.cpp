@@ -2,6 +2,8 @@
 
 #include "TestStage.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <limits>
 
 namespace Lixel::Tests {
@@ -14,17 +16,6 @@ const Ogre::Vector3 InTheSun(4, 0, 0);
 
 /// Errors of a settled frame of this scene are some tenths of a percent, at texel edges.
 constexpr double GoodFrame = 0.5;
-
-// A node refuses a NaN; a light's own direction, which OGRE would do away with, does not.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-Ogre::Vector3 ownDirection(const Ogre::Light& light) {
-    return light.getDirection();
-}
-void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
-    light.setDirection(direction);
-}
-#pragma GCC diagnostic pop
 
 class BadInput : public testing::TestWithParam<const char*> {
 protected:

@@ -2,6 +2,8 @@
 
 #include "TestStage.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <limits>
 
 namespace Lixel::Tests {
@@ -99,11 +101,8 @@ TEST(Lifetime, ThePluginLeavesNothingBehind) {
     // OGRE does not mind one of these without shadows; the guard would.
     Ogre::Light* const lamp = scene.stage.sceneManager().createLight();
     scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode()->attachObject(lamp);
-    lamp->setType(Ogre::Light::LT_POINT);
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-    lamp->setPosition(std::numeric_limits<float>::quiet_NaN(), 0, 0);
-#pragma GCC diagnostic pop
+    lamp->setType(Ogre::Light::LT_SPOTLIGHT);
+    setOwnDirection(*lamp, Ogre::Vector3(std::numeric_limits<float>::quiet_NaN(), 0, 0));
     scene.stage.drawFrame();
     EXPECT_EQ(log.count("not finite"), 0U) << "a guard was left in the scene manager";
 }

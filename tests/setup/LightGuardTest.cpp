@@ -2,6 +2,8 @@
 
 #include "TestStage.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <functional>
 #include <limits>
 
@@ -12,18 +14,10 @@ constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 const Ogre::Vector3 InShadow(-2, 0, 0);
 const Ogre::Vector3 InTheSun(4, 0, 0);
 
-// A node refuses a NaN; a light's own direction, which OGRE would do away with, does not.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
-    light.setDirection(direction);
-}
-#pragma GCC diagnostic pop
-
 class LightGuarded : public testing::Test {
 protected:
     void spoil() { setOwnDirection(light, Ogre::Vector3(NaN, NaN, NaN)); }
-    void mend() { setOwnDirection(light, Ogre::Vector3::NEGATIVE_UNIT_Z); }
+    void mend() { setOwnDirection(light, mOwn); }
     void draw() {
         for (int i = 0; i < 2; ++i)
             scene.stage.drawFrame();
@@ -33,6 +27,9 @@ protected:
     BoxOnGround scene;
     LogCollector log;
     Ogre::Light& light = scene.stage.light();
+
+private:
+    const Ogre::Vector3 mOwn = ownDirection(light);
 };
 
 TEST_F(LightGuarded, ShinesAgain) {

@@ -2,6 +2,7 @@
 // goes.
 
 #include <Lixel/headless/Headless.h>
+#include <Lixel/scene/OgreVersions.h>
 
 #include <Ogre.h>
 
@@ -14,14 +15,6 @@ namespace Lixel::Tests {
 namespace {
 
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
-
-// A node refuses a NaN; a light's own direction, which OGRE would do away with, does not.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
-    light.setDirection(direction);
-}
-#pragma GCC diagnostic pop
 
 TEST(Unload, NothingIsCalledThatIsGone) {
     unsetenv("DISPLAY");

@@ -2,6 +2,8 @@
 
 #include "LightDeeds.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <limits>
 
 namespace Lixel::Tests {
@@ -15,14 +17,6 @@ Ogre::SceneNode& nodeOf(World& world, Ogre::Light& light) {
         world.manager->getRootSceneNode()->createChildSceneNode()->attachObject(&light);
     return *light.getParentSceneNode();
 }
-
-// Only the light's own direction takes a NaN; OGRE would do away with it.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
-    light.setDirection(direction);
-}
-#pragma GCC diagnostic pop
 
 std::string create(Application& application, World& world, Random& random) {
     // Sometimes under a name that was given before.
@@ -92,6 +86,7 @@ std::string spoil(Application&, World& world, Random& random) {
     if (lamp == nullptr) return {};
     constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
     const bool bad = random.oneIn(3);
+    nodeOf(world, *lamp->light);
     setOwnDirection(*lamp->light,
                     bad ? Ogre::Vector3(NaN, 0, NaN) : Ogre::Vector3::NEGATIVE_UNIT_Z);
     return lamp->light->getName() + (bad ? " has no direction" : " has its direction again");
