@@ -45,12 +45,18 @@ struct Guarded {
 class Guard : public Ogre::SceneManager::Listener {
 public:
     void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
+        // Shadow cameras draw with the lights as their viewer found them.
+        if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
         ++mRound;
-        forLights(*source, [this](Ogre::Light& light) {
+        forLights(*source, [&](Ogre::Light& light) {
+            // Until OGRE tells it this frame's, a light may be relative to a camera that has gone.
+            light._setCameraRelative(nullptr);
             if (!isUsable(light))
                 hide(light);
             else if (!mGuarded.empty())
                 show(light);
+            // OGRE 1.12 derives anew where a light is relative to the camera only after it moved.
+            if (source->getCameraRelativeRendering()) light._notifyMoved();
         });
         std::erase_if(mGuarded, [this](const auto& entry) { return entry.second.seen != mRound; });
     }
