@@ -323,7 +323,12 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     LightNews& news = scene.news[identity];
     if (iteration == 0) memory.maps = mapsOf(*light, *shadowCamera, sceneManager, news);
     const std::size_t maps = memory.maps;
-    if (iteration >= maps) return skipShadowPass(*shadowCamera);
+    if (iteration >= maps) {
+        // Under modulative shadows OGRE may take this camera for another light's, and adds a
+        // texture of its own to the receiver where a spot's camera has no projection of ours.
+        place(*shadowCamera, ShadowFit{}, toDouble(viewer->getDerivedPosition()));
+        return skipShadowPass(*shadowCamera);
+    }
 
     const double shadowDistance = light->getShadowFarDistance();
     const TimedSurvey& timed = surveyFor(*viewer, *viewport, shadowDistance);

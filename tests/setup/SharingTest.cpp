@@ -37,6 +37,77 @@ TEST(Sharing, OneSurveyServesAllLights) {
     EXPECT_EQ(surveys.taken, 1);
 }
 
+/// Programs keep what another scene manager's light left in them.
+TEST(Sharing, ASceneManagerWithoutSetupsHasNoShadows) {
+    BoxOnGround scene;
+    EXPECT_LT(scene.visibilityAt(InShadow), 128);
+    // The same once more, under OGRE's default setup.
+    Ogre::SceneManager& other = *scene.stage.root().createSceneManager();
+    other.setAmbientLight(Ogre::ColourValue::Black);
+    other.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE);
+    other.setShadowTextureSettings(512, 1, Ogre::PF_FLOAT32_R);
+    other.setShadowFarDistance(100);
+    Ogre::MaterialManager& materials = Ogre::MaterialManager::getSingleton();
+    other.setShadowTextureCasterMaterial(materials.getByName("Lixel/Caster"));
+    other.setShadowTextureReceiverMaterial(materials.getByName("Lixel/Receiver/Visibility"));
+    Ogre::Entity* const ground = other.createEntity(Ogre::SceneManager::PT_CUBE);
+    ground->setMaterial(materials.getByName("Lixel/Surface"));
+    ground->setCastShadows(false);
+    Ogre::SceneNode* const groundNode =
+        other.getRootSceneNode()->createChildSceneNode(Ogre::Vector3(0, -0.5F, 0));
+    groundNode->setScale(2, 0.01F, 2);
+    groundNode->attachObject(ground);
+    Ogre::Light* const sun = other.createLight();
+    sun->setType(Ogre::Light::LT_DIRECTIONAL);
+    Ogre::SceneNode* const sunNode = other.getRootSceneNode()->createChildSceneNode();
+    sunNode->attachObject(sun);
+    sunNode->setDirection(Ogre::Vector3(-1, -1, 0), Ogre::Node::TS_WORLD);
+    Ogre::Camera* const viewer = other.createCamera("Other");
+    viewer->setNearClipDistance(0.1F);
+    Ogre::SceneNode* const viewerNode =
+        other.getRootSceneNode()->createChildSceneNode(Ogre::Vector3(0, 8, 16));
+    viewerNode->attachObject(viewer);
+    viewerNode->lookAt(Ogre::Vector3::ZERO, Ogre::Node::TS_WORLD);
+    scene.stage.viewport().setCamera(viewer);
+    for (int i = 0; i < 2; ++i) {
+        scene.stage.drawFrame();
+        const std::vector<std::uint8_t> picture = scene.stage.picture();
+        // The middle of the picture, where the box shadows the ground in the other scene manager.
+        const std::size_t middle = 3 * (120 * 320 + 150);
+        for (std::size_t pixel = 0; pixel < 40; ++pixel)
+            EXPECT_GE(picture[middle + 3 * pixel], 128) << pixel;
+    }
+    scene.stage.viewport().setCamera(&scene.stage.camera());
+}
+
+/// OGRE takes the first light's second map for the second light's; it is an error in the log.
+TEST(Sharing, ModulativeLightsWithSeveralTexturesKeepTheReceiver) {
+    BoxOnGround scene;
+    LogCollector log;
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    manager.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE);
+    const Ogre::MaterialPtr receiver =
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Receiver/Modulative");
+    manager.setShadowTextureReceiverMaterial(receiver);
+    manager.setShadowTextureCountPerLightType(Ogre::Light::LT_SPOTLIGHT, 2);
+    manager.setShadowTextureCount(4);
+    scene.stage.light().setType(Ogre::Light::LT_SPOTLIGHT);
+    scene.stage.light().getParentSceneNode()->setPosition(6, 6, 0);
+    Ogre::Light* const second = manager.createLight("second");
+    second->setType(Ogre::Light::LT_SPOTLIGHT);
+    Ogre::SceneNode* const node =
+        manager.getRootSceneNode()->createChildSceneNode(Ogre::Vector3(-6, 6, 0));
+    node->attachObject(second);
+    node->setDirection(Ogre::Vector3(1, -1, 0), Ogre::Node::TS_WORLD);
+    second->setCustomShadowCameraSetup(scene.stage.light().getCustomShadowCameraSetup());
+    scene.stage.drawFrame();
+    scene.stage.drawFrame();
+    EXPECT_EQ(receiver->getTechnique(0)->getPass(0)->getNumTextureUnitStates(), 1U)
+        << "OGRE added its texture spot_shadow_fade.dds, which is nowhere";
+    EXPECT_NO_THROW(receiver->reload());
+    EXPECT_EQ(log.count("uses more than one of a light only under an integrated"), 2U);
+}
+
 /// Points are told in the world, and reach the fit wherever the viewer stands.
 TEST(Sharing, VisiblePointsDecideTheWarp) {
     BoxOnGround scene("", "Optimal");
