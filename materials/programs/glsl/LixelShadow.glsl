@@ -12,6 +12,9 @@
 //
 // A map's size and bias are (width, height, depth bias, depth per world unit).
 
+// Steps of the grid that rasterizers move a vertex to, for one texel: GPUs and Mesa have 256.
+#define LIXEL_SUBTEXELS 256.0
+
 // Change of depth for one texel of u and v along the receiver's own surface (Isidoro 2006,
 // "receiver plane depth bias"), from the coordinate's screen derivatives.
 vec2 lixelDepthSlope(vec4 sizeBias, vec4 coordinate, vec4 dx, vec4 dy)
@@ -34,7 +37,9 @@ float lixelTap(sampler2D map, vec4 sizeBias, vec2 texel, vec2 position, float de
     // The receiver's surface where the light ray through the texel's centre meets it. A caster's
     // depth is at most 1: nothing is stored beyond the farthest receiver.
     float surface = depth + dot(slope, texel + 0.5 - position);
-    return min(surface, 1.0) - sizeBias.z <= stored ? 1.0 : 0.0;
+    // Rasterizers move vertices to a grid within texels, and a caster's depths with them.
+    float rasterized = (abs(slope.x) + abs(slope.y)) / LIXEL_SUBTEXELS;
+    return min(surface, 1.0) - sizeBias.z - rasterized <= stored ? 1.0 : 0.0;
 }
 
 // 1 where the receiver is lit, 0 where it is in shadow.
