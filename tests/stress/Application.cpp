@@ -2,7 +2,10 @@
 
 #include "common/MeshBuilder.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -49,20 +52,24 @@ Ogre::MaterialPtr surface(const std::string& base, Ogre::ShadowTechnique techniq
     return made;
 }
 
-/// Closed solids, since what OGRE draws of casters is their backs.
+/// Closed solids, since what OGRE draws of casters is their backs, and with flat sides, whose
+/// shading goes with the truth's geometric normals.
 void writeMeshes(const std::string& folder) {
     Samples::MeshBuilder rod;
     rod.transform = Ogre::Affine3(
         Ogre::Vector3::ZERO,
         Ogre::Quaternion(Ogre::Degree(40), Ogre::Vector3(1, 0.3F, 0.5F).normalisedCopy()));
-    rod.box({-2, -0.15F, -0.15F}, {2, 0.15F, 0.15F});
-    Samples::MeshBuilder ring;
-    ring.torus(1.2F, 0.35F, 16, 8);
+    rod.box({-3, -0.25F, -0.25F}, {3, 0.25F, 0.25F});
+    Samples::MeshBuilder table;
+    table.box({-1.5F, 1, -1}, {1.5F, 1.2F, 1});
+    for (const float x : {-1.4F, 1.0F})
+        table.boxOn({x + 0.2F, -1, 0}, 0.4F, 2, 0.4F);
     Samples::MeshBuilder box;
-    box.box({-0.8F, -0.8F, -0.8F}, {0.8F, 0.8F, 0.8F});
+    box.box({-1, -1, -1}, {1, 1, 1});
     Ogre::MeshSerializer serializer;
-    for (const auto& [name, builder] : {std::pair{"rod.mesh", &rod}, std::pair{"ring.mesh", &ring},
-                                        std::pair{"box.mesh", &box}}) {
+    for (const auto& [name, builder] :
+         {std::pair{"rod.mesh", &rod}, std::pair{"table.mesh", &table},
+          std::pair{"box.mesh", &box}}) {
         const Ogre::MeshPtr mesh = builder->build("Temporary");
         mesh->getSubMesh(0)->setMaterialName("BaseWhite");
         serializer.exportMesh(mesh.get(), folder + "/" + name);
@@ -73,8 +80,13 @@ void writeMeshes(const std::string& folder) {
 } // namespace
 
 const std::vector<std::string>& Application::meshes() {
-    static const std::vector<std::string> names{"rod.mesh", "ring.mesh", "box.mesh", "Prefab_Cube"};
+    static const std::vector<std::string> names{"rod.mesh", "table.mesh", "box.mesh",
+                                                "Prefab_Cube"};
     return names;
+}
+
+Ogre::Vector3 Application::unitScale(const Ogre::Entity& body) {
+    return Ogre::Vector3(body.getMesh()->getName() == "Prefab_Cube" ? 0.02F : 1.0F);
 }
 
 Application::Application() {
@@ -97,6 +109,11 @@ void Application::begin() {
     auto& resources = Ogre::ResourceGroupManager::getSingleton();
     resources.addResourceLocation(mFolder, "FileSystem", MeshGroup);
     resources.initialiseResourceGroup(MeshGroup);
+    // What OGRE adds to modulative receivers of its own setups' spots; part of its samples' media.
+    Ogre::Image white;
+    std::array<Ogre::uchar, 3> pixel{255, 255, 255};
+    white.loadDynamicImage(pixel.data(), 1, 1, Ogre::PF_BYTE_RGB);
+    Ogre::TextureManager::getSingleton().loadImage("spot_shadow_fade.dds", "General", white);
     pluginLoaded = true;
     screens.push_back({&stage().window(), {}});
     addShadowMapObserver(*this);
@@ -167,7 +184,7 @@ Ogre::Entity& Application::addBody(World& world, const std::string& mesh) {
         prefab ? world.manager->createEntity(newName("Body"), Ogre::SceneManager::PT_CUBE)
                : world.manager->createEntity(newName("Body"), mesh, MeshGroup);
     Ogre::SceneNode* const node = world.manager->getRootSceneNode()->createChildSceneNode();
-    if (prefab) node->setScale(0.02F, 0.02F, 0.02F);
+    node->setScale(unitScale(*entity));
     const float step = static_cast<float>(world.bodies.size());
     node->setPosition(std::fmod(step * 3.7F, 12.0F) - 6, 1.5F, std::fmod(step * 2.3F, 10.0F) - 5);
     node->attachObject(entity);
@@ -263,8 +280,6 @@ void Application::setTechnique(World& world, Ogre::ShadowTechnique technique) {
             ? Ogre::MaterialPtr()
             : materials.getByName(modulative ? "Lixel/Receiver/Modulative" : "Lixel/Receiver",
                                   "General"));
-    world.lixelsCaster = true;
-    world.lixelsReceiver = true;
     dress(world);
 }
 
@@ -295,6 +310,13 @@ void Application::followMeshes() {
     }
 }
 
+void Application::mendLights() {
+    for (const auto& world : worlds)
+        for (const Lamp& lamp : world->lamps)
+            if (lamp.light->getDerivedDirection().isNaN())
+                setOwnDirection(*lamp.light, Ogre::Vector3::NEGATIVE_UNIT_Z);
+}
+
 void Application::loadPlugin(bool load) {
     if (load == pluginLoaded) return;
     std::ifstream list(Samples::programFolder() + "/plugins.cfg");
@@ -305,10 +327,12 @@ void Application::loadPlugin(bool load) {
         if (line.rfind("Plugin=", 0) != 0 || line.find("Plugin_Lixel") == std::string::npos)
             continue;
         const std::string name = folder + line.substr(7);
-        if (load)
+        if (load) {
             root().loadPlugin(name);
-        else
+        } else {
+            mendLights();
             root().unloadPlugin(name);
+        }
         pluginLoaded = load;
     }
 }

@@ -40,12 +40,8 @@ struct World {
     std::vector<Ogre::Camera*> cameras;
     UsedSetup sceneSetup;
     Ogre::ShadowTechnique technique = Ogre::SHADOWTYPE_NONE;
-    /// Whether casters and receivers are drawn with Lixel's materials into textures they can read.
-    bool lixelsCaster = true;
-    bool lixelsReceiver = true;
+    /// Whether Lixel's materials can read the shadow textures.
     bool readableFormat = true;
-    /// Counts up where shadow textures are asked for, so that no two settings are alike by chance.
-    std::size_t textures = 1;
 };
 
 /// A render target with one camera or several, side by side.
@@ -109,8 +105,12 @@ public:
     const ToldMaps* told(const Ogre::Camera& viewer, const Ogre::Light& light) const;
 
     static const std::vector<std::string>& meshes();
+    /// What makes a body some two units large: OGRE's own cube has sides of 100.
+    static Ogre::Vector3 unitScale(const Ogre::Entity& body);
 
 private:
+    /// Without the plugin, OGRE ends on lights without a direction.
+    void mendLights();
     void begin();
     void end();
     void shadowMapFitted(const ShadowMap& map) override;

@@ -31,6 +31,7 @@ std::string attach(Application&, World& world, Random& random) {
         if (body->getParentNode() != nullptr) continue;
         Ogre::SceneNode* const node = world.manager->getRootSceneNode()->createChildSceneNode();
         node->setPosition(anyPlace(random, 9, 0.5F, 6));
+        node->setScale(Application::unitScale(*body));
         node->attachObject(body);
         return body->getName();
     }
@@ -62,12 +63,14 @@ std::string scale(Application&, World& world, Random& random) {
     Ogre::Entity* const body = anyBody(world, random);
     if (body == nullptr || body->getParentNode() == nullptr) return {};
     const auto side = [&] {
-        return random.of({0.0F, 0.01F, 0.5F, 1.0F, 1.0F, 2.0F}) * random.of({-1.0F, 1.0F, 1.0F});
+        return random.of({0.01F, 0.5F, 1.0F, 1.0F, 2.0F}) * random.of({-1.0F, 1.0F, 1.0F});
     };
     Ogre::Vector3 factor;
     for (std::size_t i = 0; i < 3; ++i)
         factor[i] = side();
-    if (body->getMesh()->getName() == "Prefab_Cube") factor *= 0.02F;
+    // A flat body has no normals to be lit by; a point shows none.
+    if (random.oneIn(8)) factor = Ogre::Vector3::ZERO;
+    factor *= Application::unitScale(*body);
     body->getParentSceneNode()->setScale(factor);
     return body->getName() + " by " + text(factor);
 }
@@ -105,16 +108,16 @@ std::string setFlags(Application&, World& world, Random& random) {
     if (body == nullptr) return {};
     switch (random.below(5)) {
     case 0:
-        body->setCastShadows(!body->getCastShadows());
+        body->setCastShadows(!random.oneIn(4));
         return body->getName() + " casts";
     case 1:
-        body->setVisible(!body->getVisible());
+        body->setVisible(!random.oneIn(4));
         return body->getName() + " is seen";
     case 2:
-        body->setVisibilityFlags(random.of({1U, 2U, 3U, 0xFFFFFFFFU}));
+        body->setVisibilityFlags(random.of({1U, 2U, 3U, 0xFFFFFFFFU, 0xFFFFFFFFU}));
         return body->getName() + " visibility flags";
     case 3:
-        body->setRenderingDistance(random.of({0.0F, 0.0F, 8.0F, 15.0F}));
+        body->setRenderingDistance(random.of({0.0F, 0.0F, 0.0F, 8.0F, 15.0F}));
         return body->getName() + " rendering distance";
     default:
         body->setRenderQueueGroup(random.of<Ogre::uint8>({40, 50, 50, 60}));

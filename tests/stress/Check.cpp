@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <fstream>
 
 namespace Lixel::Tests {
 namespace {
@@ -18,7 +19,7 @@ constexpr int LitFrom = 7;
 constexpr double FewPercent = 2.0;
 constexpr std::size_t FewPixels = 25;
 /// Texels of the map for the second look.
-constexpr Ogre::ushort LargeMap = 2048;
+constexpr Ogre::ushort LargeMap = 4096;
 
 struct Picture {
     int left, top, width, height; ///< of the viewport
@@ -98,6 +99,12 @@ std::size_t casters(const World& world) {
         }));
 }
 
+bool hasSeveralTextures(const World& world) {
+    return std::any_of(world.lamps.begin(), world.lamps.end(), [&](const Lamp& lamp) {
+        return world.manager->getShadowTextureCountPerLightType(lamp.light->getType()) > 1;
+    });
+}
+
 bool isTextured(Ogre::ShadowTechnique technique) {
     return (technique & Ogre::SHADOWDETAILTYPE_TEXTURE) != 0;
 }
@@ -105,8 +112,7 @@ bool isTextured(Ogre::ShadowTechnique technique) {
 /// Whether the picture shows what Lixel's materials make of the maps.
 bool isReadable(const Application& application, const World& world) {
     if (!isTextured(world.technique)) return world.technique == Ogre::SHADOWTYPE_NONE;
-    return application.pluginLoaded && world.lixelsCaster && world.lixelsReceiver &&
-           world.readableFormat;
+    return application.pluginLoaded && world.readableFormat;
 }
 
 const UsedSetup& setupOf(const World& world, const Lamp& lamp) {
@@ -126,6 +132,9 @@ Expected expected(const Application& application, const World& world, const Lamp
     // textures of the others.
     if ((modulative || integrated) && casters(world) > 1) return Expected::Unknown;
     if (modulative && !light.getCastShadows()) return Expected::Unknown;
+    // Outside of integrated techniques OGRE counts one texture a light; Lixel says so in the log.
+    if (textured && !integrated && casters(world) > 1 && hasSeveralTextures(world))
+        return Expected::Unknown;
     if (!textured || !light.getCastShadows() || !viewport.getShadowsEnabled())
         // OGRE's materials read what was left in the textures where shadows are off in a viewport.
         return textured && !viewport.getShadowsEnabled() ? Expected::Unknown : Expected::AllLit;
@@ -155,23 +164,6 @@ struct Losses {
                            acne, counted, leaks);
     }
 };
-
-Losses compare(const Picture& picture, const ShadowTruth& truth, std::size_t channel,
-               Expected expectation) {
-    Losses losses;
-    for (int row = 0; row < picture.height; ++row)
-        for (int column = 0; column < picture.width; ++column) {
-            const PixelClass known = truth.at(column, row);
-            if (known != PixelClass::Lit && known != PixelClass::Shadowed) continue;
-            const bool lit = known == PixelClass::Lit || expectation == Expected::AllLit;
-            const bool drawnLit = picture.at(column, row, channel) >= LitFrom;
-            ++losses.counted;
-            losses.shadowed += lit ? 0U : 1U;
-            losses.acne += lit && !drawnLit ? 1U : 0U;
-            losses.leaks += !lit && drawnLit ? 1U : 0U;
-        }
-    return losses;
-}
 
 /// Draws the frame again with other setups, and other maps if told.
 class SecondLook {
@@ -207,12 +199,13 @@ private:
 class ViewCheck {
 public:
     ViewCheck(Application& application, World& world, Screen& screen, Ogre::Viewport& viewport,
-              CheckCounts& counts)
+              CheckCounts& counts, const std::string& pictureFile)
         : mApplication(application),
           mWorld(world),
           mScreen(screen),
           mViewport(viewport),
           mCounts(counts),
+          mPictureFile(pictureFile),
           mOracle(trianglesOf(world, viewport)) {
         const Ogre::Camera& viewer = *viewport.getCamera();
         mView.vsFromWs = toEigen(Ogre::Matrix4(viewer.getViewMatrix(true)));
@@ -229,12 +222,12 @@ public:
             used.at(lamp.channel) = true;
             const std::string wrong = judge(lamp);
             if (!wrong.empty())
-                return fmt::format("{}, light '{}' of {}, technique {}: {}",
+                return fmt::format("{}, light '{}' of {}, technique {}{}: {}",
                                    mViewport.getCamera()->getName(), lamp.light->getName(),
                                    setupOf(mWorld, lamp).recipe
                                        ? setupOf(mWorld, lamp).recipe->name()
                                        : "OGRE's own setup",
-                                   static_cast<int>(mWorld.technique), wrong);
+                                   static_cast<int>(mWorld.technique), fitOf(lamp), wrong);
         }
         if ((mWorld.technique & Ogre::SHADOWDETAILTYPE_MODULATIVE) != 0) return {};
         for (std::size_t channel = 0; channel < used.size(); ++channel)
@@ -246,6 +239,13 @@ public:
     }
 
 private:
+    std::string fitOf(const Lamp& lamp) const {
+        const ToldMaps* const told = mApplication.told(*mViewport.getCamera(), *lamp.light);
+        return told == nullptr ? ""
+                               : fmt::format(", {} maps, {} drawn, {}", told->maps, told->drawn,
+                                             toString(told->last));
+    }
+
     void look() {
         mPicture = {mViewport.getActualLeft(),
                     mViewport.getActualTop(),
@@ -263,12 +263,71 @@ private:
         if (expectation == Expected::Unknown) return {};
         mView.shadowDistance = static_cast<double>(light.getShadowFarDistance());
         const ShadowTruth truth = mOracle.classify(mPoints, mView, oracleLight(light));
-        const Losses losses = compare(mPicture, truth, lamp.channel, expectation);
+        const Losses losses = compare(truth, lamp, expectation);
         ++mCounts.lights;
         mCounts.shadowed += losses.shadowed >= 30 ? 1U : 0U;
         if (losses.few()) return {};
+        if (!mPictureFile.empty()) writePicture(truth, lamp.channel);
         if (expectation == Expected::AllLit) return "should have no shadows: " + losses.text();
         return judgeAgain(lamp, truth, losses);
+    }
+
+    /// Whether a caster's faces that are drawn into maps block the light; what the light sees
+    /// from behind shows this ray its front. Backs alone let light
+    /// into closed bodies, which a viewer within one sees.
+    bool isBlocked(const SurfacePoint& point, const OracleLight& light) const {
+        const bool directional = light.kind == OracleLight::Kind::Directional;
+        const Eigen::Vector3d way = directional ? Eigen::Vector3d(-1e4 * light.direction)
+                                                : Eigen::Vector3d(light.position - point.position);
+        const CasterRay ray{point.position + mOracle.rayOffset() * point.normal, way.normalized(),
+                            way.norm()};
+        double distance = 0.0;
+        mOracle.firstCasters({&ray, 1},
+                             mWorld.manager->getShadowCasterRenderBackFaces() ? CasterFaces::Fronts
+                                                                              : CasterFaces::Backs,
+                             {&distance, 1});
+        return std::isfinite(distance);
+    }
+
+    /// Modulative receivers fade where the light comes in low; the others need no limit.
+    bool isFaded(const SurfacePoint& point, const OracleLight& light) const {
+        constexpr double FadeBelow = 0.12; // 0.1 in the program
+        const bool directional = light.kind == OracleLight::Kind::Directional;
+        const Eigen::Vector3d way = directional ? Eigen::Vector3d(-light.direction)
+                                                : Eigen::Vector3d(light.position - point.position);
+        return mWorld.technique == Ogre::SHADOWTYPE_TEXTURE_MODULATIVE &&
+               point.normal.dot(way.normalized()) < FadeBelow;
+    }
+
+    Losses compare(const ShadowTruth& truth, const Lamp& lamp, Expected expectation) const {
+        const OracleLight light = oracleLight(*lamp.light);
+        Losses losses;
+        for (int row = 0; row < mPicture.height; ++row)
+            for (int column = 0; column < mPicture.width; ++column) {
+                const PixelClass known = truth.at(column, row);
+                if (known != PixelClass::Lit && known != PixelClass::Shadowed) continue;
+                if (isFaded(*mPoints.at(column, row), light)) continue;
+                const bool lit = known == PixelClass::Lit || expectation == Expected::AllLit;
+                const bool drawnLit = mPicture.at(column, row, lamp.channel) >= LitFrom;
+                if (!lit && drawnLit && !isBlocked(*mPoints.at(column, row), light)) continue;
+                ++losses.counted;
+                losses.shadowed += lit ? 0U : 1U;
+                losses.acne += lit && !drawnLit ? 1U : 0U;
+                losses.leaks += !lit && drawnLit ? 1U : 0U;
+            }
+        return losses;
+    }
+
+    void writePicture(const ShadowTruth& truth, std::size_t channel) const {
+        std::vector<std::uint8_t> visibility;
+        for (int row = 0; row < mPicture.height; ++row)
+            for (int column = 0; column < mPicture.width; ++column)
+                visibility.push_back(mPicture.at(column, row, channel) >= LitFrom ? 255 : 0);
+        const std::vector<std::uint8_t> rgb = paintComparison(truth, visibility);
+        std::ofstream file(mPictureFile, std::ios::binary);
+        file << "P6 " << mPicture.width << ' ' << mPicture.height << " 255\n";
+        file.write(reinterpret_cast<const char*>(rgb.data()),
+                   static_cast<std::streamsize>(rgb.size()));
     }
 
     /// What texels alone may do, fresh setups do on maps of the same size, and do no more on large
@@ -281,17 +340,17 @@ private:
             SecondLook second(mApplication, mWorld);
             mApplication.drawFrame();
             look();
-            fresh = compare(mPicture, truth, lamp.channel, Expected::Shadows);
+            fresh = compare(truth, lamp, Expected::Shadows);
             second.enlargeMaps();
             mApplication.drawFrame();
             look();
-            large = compare(mPicture, truth, lamp.channel, Expected::Shadows);
+            large = compare(truth, lamp, Expected::Shadows);
         }
         mApplication.drawFrame();
         look();
         if (losses.percent() > 1.5 * fresh.percent() + FewPercent)
             return "a stale shadow: " + losses.text() + "; from a new setup " + fresh.text();
-        if (!large.few() && large.percent() > 0.25 * losses.percent())
+        if (!large.few() && large.percent() > 0.5 * losses.percent())
             return "a wrong shadow: " + losses.text() + "; on a large map " + large.text();
         return {};
     }
@@ -301,6 +360,7 @@ private:
     Screen& mScreen;
     Ogre::Viewport& mViewport;
     CheckCounts& mCounts;
+    const std::string& mPictureFile;
     ShadowOracle mOracle;
     OracleView mView;
     VisiblePoints mPoints;
@@ -309,7 +369,8 @@ private:
 
 } // namespace
 
-std::string findWrongShadow(Application& application, CheckCounts& counts) {
+std::string findWrongShadow(Application& application, CheckCounts& counts,
+                            const std::string& pictureFile) {
     for (Screen& screen : application.screens)
         for (unsigned short i = 0; i < screen.target->getNumViewports(); ++i) {
             Ogre::Viewport& viewport = *screen.target->getViewport(i);
@@ -319,7 +380,7 @@ std::string findWrongShadow(Application& application, CheckCounts& counts) {
                 });
             if (!isReadable(application, **world)) continue;
             const std::string wrong =
-                ViewCheck(application, **world, screen, viewport, counts).find();
+                ViewCheck(application, **world, screen, viewport, counts, pictureFile).find();
             if (!wrong.empty()) return wrong;
         }
     return {};

@@ -15,9 +15,11 @@ struct CheckCounts {
 
 /** Compares the frame that was just drawn with exact shadows, on every screen.
 
+    @param pictureFile PPM file for what is wrong and how: red should be lit, blue dark
     @return what is wrong; empty where nothing is, or where nothing is known of the picture (OGRE's
     own setups, textures that Lixel's materials cannot read, stencil shadows, ...)
 */
-std::string findWrongShadow(Application& application, CheckCounts& counts);
+std::string findWrongShadow(Application& application, CheckCounts& counts,
+                            const std::string& pictureFile);
 
 } // namespace Lixel::Tests

@@ -35,7 +35,7 @@ void write(Line& line, const std::string& text) {
     text.copy(line.data(), line.size() - 1);
 }
 
-void playIn(Application& application, const Sequence& sequence, Report& report) {
+void play(Application& application, const Sequence& sequence, Report& report) {
     for (const std::size_t step : sequence.steps) {
         report.step = step;
         Line& line = report.last.at(report.deeds % report.last.size());
@@ -50,27 +50,22 @@ void playIn(Application& application, const Sequence& sequence, Report& report) 
         application.drawFrame();
         ++report.frames;
         if (report.frames % sequence.checkEvery != 0) continue;
-        const std::string wrong = findWrongShadow(application, report.counts);
+        const std::string wrong = findWrongShadow(application, report.counts, sequence.pictureFile);
         if (!wrong.empty()) return write(report.what, wrong);
     }
     report.finished = true;
 }
 
-void play(const Sequence& sequence, Report& report) {
-    Application application;
-    try {
-        playIn(application, sequence, report);
-    } catch (const std::exception& exception) {
-        // While the plugins are there that exceptions come from.
-        write(report.what, std::string("throws: ") + exception.what());
-    }
-}
-
 [[noreturn]] void runChild(const Sequence& sequence, Report& report) {
-    try {
-        play(sequence, report);
-    } catch (const std::exception& exception) {
-        write(report.what, std::string("throws: ") + exception.what());
+    {
+        Application application;
+        // An exception's type may live in a plugin, which goes with the application.
+        try {
+            play(application, sequence, report);
+        } catch (const std::exception& exception) {
+            report.finished = false;
+            write(report.what, std::string("throws: ") + exception.what());
+        }
     }
     // Not _exit: leaks are looked for at the end.
     std::exit(report.finished ? 0 : 1);

@@ -15,6 +15,8 @@ struct Sequence {
     std::vector<std::size_t> steps;
     std::size_t checkEvery = 2; ///< frames
     bool verbose = false;
+    /// Where the picture of a wrong shadow is written, as PPM; empty for nowhere.
+    std::string pictureFile{};
 };
 
 struct SequenceEnd {

@@ -29,9 +29,9 @@ std::string move(Application&, World& world, Random& random) {
     Ogre::Camera& camera = **found;
     if (camera.getParentNode() == nullptr)
         world.manager->getRootSceneNode()->createChildSceneNode()->attachObject(&camera);
-    const Ogre::Vector3 eye = anyPlace(random, 14, 1, 12);
+    const Ogre::Vector3 eye = anyPlace(random, 13, 1, 12);
     const Ogre::Vector3 aim =
-        random.oneIn(8) ? Ogre::Vector3(0, -1, 0) : anyPlace(random, 5, 0, 3) - eye;
+        random.oneIn(8) ? Ogre::Vector3(0, -1, 0) : anyPlace(random, 3, 0, 2) - eye;
     camera.getParentSceneNode()->setPosition(eye);
     camera.getParentSceneNode()->setDirection(aim, Ogre::Node::TS_WORLD);
     return camera.getName() + " to " + text(eye) + " towards " + text(aim);
@@ -113,10 +113,10 @@ std::string setViewport(Application& application, World&, Random& random) {
     Ogre::Viewport& viewport =
         *screen.target->getViewport(static_cast<unsigned short>(random.below(count)));
     if (random.oneIn(2)) {
-        viewport.setShadowsEnabled(!viewport.getShadowsEnabled());
+        viewport.setShadowsEnabled(!random.oneIn(4));
         return "shadows or not";
     }
-    viewport.setVisibilityMask(random.of({1U, 3U, 0xFFFFFFFFU, 0xFFFFFFFFU}));
+    viewport.setVisibilityMask(random.of({1U, 3U, 0xFFFFFFFFU, 0xFFFFFFFFU, 0xFFFFFFFFU}));
     return "visibility mask";
 }
 

@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
     app.add_option("--seed", sequence.seed, "which sequence")->capture_default_str();
     app.add_option("--only", sequence.steps, "the steps to take, instead of all")->delimiter(',');
     app.add_option("--check-every", sequence.checkEvery, "frames")->capture_default_str();
+    app.add_option("--picture", sequence.pictureFile, "PPM file for the wrong shadow, if any");
     app.add_flag("--shrink", shrinks, "find a short sequence that fails");
     app.add_flag("--verbose", sequence.verbose, "say each deed as it is done");
     CLI11_PARSE(app, argc, argv);
