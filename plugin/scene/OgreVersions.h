@@ -14,6 +14,7 @@
 #include <OgreTexture.h>
 #include <OgreViewport.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <typeinfo>
@@ -129,6 +130,22 @@ inline void clearViewport(Ogre::Viewport& viewport, unsigned int buffers,
     system._setViewport(&viewport);
     system.clearFrameBuffer(buffers, colour);
     if (current != nullptr && current != &viewport) system._setViewport(current);
+}
+
+/// Whether OGRE can draw a light's shadows, if it casts any. Since 13.6 it sets a camera of its own
+/// up from the light, to cull with, and asserts on what is not finite, whatever setup the light has.
+inline bool canDrawShadowsOf([[maybe_unused]] const Ogre::Light& light) {
+#if OGRE_MIN_VERSION(13, 6, 0)
+    const bool hasAngle =
+        light.getType() != Ogre::Light::LT_DIRECTIONAL && light.getType() != Ogre::Light::LT_POINT;
+    return !light.getCastShadows() ||
+           (std::isfinite(light.getShadowFarDistance()) &&
+            std::isfinite(light.getShadowNearClipDistance()) &&
+            std::isfinite(light._deriveShadowFarClipDistance()) &&
+            (!hasAngle || std::isfinite(light.getSpotlightOuterAngle().valueRadians())));
+#else
+    return true;
+#endif
 }
 
 /// Calls `visit` with each priority's renderables of a queue group.

@@ -22,7 +22,9 @@ bool isFinite(const Ogre::Vector3& v) {
 
 bool isUsable(const Ogre::Light& light) {
     return (light.getType() == Ogre::Light::LT_POINT || isFinite(light.getDerivedDirection())) &&
-           (light.getType() == Ogre::Light::LT_DIRECTIONAL || isFinite(light.getDerivedPosition()));
+           (light.getType() == Ogre::Light::LT_DIRECTIONAL ||
+            isFinite(light.getDerivedPosition())) &&
+           canDrawShadowsOf(light);
 }
 
 /// Calls `visit` with each of a scene manager's lights.
@@ -70,8 +72,9 @@ public:
             const auto found = mGuarded.find(identityOf(light));
             if (found == mGuarded.end() || !found->second.hidden) return;
             if (isUsable(light)) return show(light);
-            log(light, "still has a direction or position that is not finite: it stays without "
-                       "visibility flags, and nobody will put them on again");
+            log(light,
+                "still has a direction, position, angle or shadow distance that is not finite: "
+                "it stays without visibility flags, and nobody will put them on again");
         });
     }
 
@@ -93,8 +96,8 @@ private:
         light.setVisibilityFlags(0);
         guarded.hidden = true;
         if (guarded.news.isNew(0, Ogre::Root::getSingleton().getNextFrameNumber()))
-            log(light, "has a direction or position that is not finite; it neither shines nor "
-                       "casts shadows until it has");
+            log(light, "has a direction, position, angle or shadow distance that is not finite; it "
+                       "neither shines nor casts shadows until it has");
     }
 
     void show(Ogre::Light& light) {

@@ -11,6 +11,7 @@ namespace Lixel::Tests {
 namespace {
 
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float Infinity = std::numeric_limits<float>::infinity();
 const Ogre::Vector3 InShadow(-2, 0, 0);
 const Ogre::Vector3 InTheSun(4, 0, 0);
 
@@ -134,6 +135,14 @@ TEST_F(LightGuarded, SaysSoOnceThoughItFlickers) {
     EXPECT_EQ(log.count("not finite"), 1U);
 }
 
+TEST_F(LightGuarded, ShinesWithoutShadowsHoweverFarTheyReached) {
+    light.setCastShadows(false);
+    light.setShadowFarDistance(NaN);
+    draw();
+    EXPECT_NE(light.getVisibilityFlags(), 0U);
+    EXPECT_EQ(log.count("not finite"), 0U) << log.all();
+}
+
 /// Whatever else of a light is a number.
 TEST_F(LightGuarded, SurvivesANaNAnywhere) {
     using Spoil = std::function<void(Ogre::Light&)>;
@@ -141,6 +150,7 @@ TEST_F(LightGuarded, SurvivesANaNAnywhere) {
     const std::vector<Spoil> spoils = {
         [](Ogre::Light& l) { l.setAttenuation(NaN, 1, 0, 0); },
         [](Ogre::Light& l) { l.setAttenuation(100, NaN, NaN, NaN); },
+        [](Ogre::Light& l) { l.setAttenuation(Infinity, 1, 0, 0); },
         [&](Ogre::Light& l) { l.setSpotlightOuterAngle(wrong); },
         [&](Ogre::Light& l) { l.setSpotlightInnerAngle(wrong); },
         [](Ogre::Light& l) { l.setSpotlightFalloff(NaN); },
@@ -148,6 +158,7 @@ TEST_F(LightGuarded, SurvivesANaNAnywhere) {
         [](Ogre::Light& l) { l.setShadowFarDistance(NaN); },
         [](Ogre::Light& l) { l.setShadowNearClipDistance(NaN); },
         [](Ogre::Light& l) { l.setShadowFarClipDistance(NaN); },
+        [](Ogre::Light& l) { l.setShadowFarClipDistance(Infinity); },
     };
     for (const auto type :
          {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT, Ogre::Light::LT_POINT})
