@@ -84,6 +84,10 @@ private:
 
 #ifdef OGRE_NODELESS_POSITIONING // which is off since 13 unless OGRE is built with it
 
+/// Whether a light may have a direction that its node does not. Only such a one can be a NaN: where
+/// a node's is, OGRE itself asserts that what is attached to it has a box for bounds.
+inline constexpr bool LightsHaveDirections = true;
+
 // It is all deprecated.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
@@ -93,7 +97,6 @@ inline Ogre::Vector3 ownDirection(const Ogre::Light& light) {
     return light.getDirection();
 }
 
-/// Changes it, to a NaN as well, which SceneNode::setDirection refuses.
 inline void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
     light.setDirection(direction);
 }
@@ -102,13 +105,13 @@ inline void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) 
 
 #else
 
-/// The direction of a light's node, in the space of that node's parent: lights have none of their
-/// own.
+inline constexpr bool LightsHaveDirections = false;
+
+/// The direction of a light's node, in the space of that node's parent.
 inline Ogre::Vector3 ownDirection(const Ogre::Light& light) {
     return -light.getParentSceneNode()->getOrientation().zAxis();
 }
 
-/// Changes it, to a NaN as well, which SceneNode::setDirection refuses. Needs a node.
 inline void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) {
     light.getParentSceneNode()->setOrientation(
         Ogre::Vector3::NEGATIVE_UNIT_Z.getRotationTo(direction.normalisedCopy()));

@@ -1,7 +1,10 @@
 #include "HardCases.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace Lixel::Tests {
 namespace {
@@ -137,8 +140,10 @@ std::vector<HardCase> lightCases() {
         s.addBox({0, 0, 0}, {100, 0, 100});
         s.sunExactly({-1, 0, 0});
     })->nothingShadowed = true;
-    cases.push_back(badDirection("light direction NaN", Ogre::Vector3(NaN, NaN, NaN)));
-    cases.push_back(badDirection("light direction infinite", Ogre::Vector3(Infinity, 0, 0)));
+    if (LightsHaveDirections) { // a node's aborts in OGRE itself
+        cases.push_back(badDirection("light direction NaN", Ogre::Vector3(NaN, NaN, NaN)));
+        cases.push_back(badDirection("light direction infinite", Ogre::Vector3(Infinity, 0, 0)));
+    }
     add("spot 60 degrees", fieldUnderSpot({12, 14, 2}, {0, 0, 0}, 60));
     add("spot 100 degrees", fieldUnderSpot({12, 14, 2}, {0, 0, 0}, 100));
     add("spot 150 degrees", fieldUnderSpot({12, 14, 2}, {0, 0, 0}, 150));

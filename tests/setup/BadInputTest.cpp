@@ -1,15 +1,11 @@
 // Bad frames: no abort, no wrong shadow, one line in the log, and shadows again afterwards.
 
+#include "SpoiltLight.h"
 #include "TestStage.h"
-
-#include <Lixel/scene/OgreVersions.h>
-
-#include <limits>
 
 namespace Lixel::Tests {
 namespace {
 
-constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 /// Left of the box, in its shadow; the sun is on the right, 45 degrees high.
 const Ogre::Vector3 InShadow(-2, 0, 0);
 const Ogre::Vector3 InTheSun(4, 0, 0);
@@ -54,26 +50,26 @@ TEST_P(BadInput, GoodFramesHaveShadows) {
     EXPECT_EQ(log.count("Lixel:"), 0U);
 }
 
-TEST_P(BadInput, NaNLightDirection) {
+TEST_P(BadInput, LightWithNaN) {
     expectGoodFrame();
     const Ogre::Vector3 direction = scene.stage.light().getDerivedDirection();
-    const Ogre::Vector3 own = ownDirection(scene.stage.light());
-    setOwnDirection(scene.stage.light(), Ogre::Vector3(NaN, NaN, NaN));
+    SpoiltLight light(scene.stage.light());
+    light.spoil();
     for (int i = 0; i < 3; ++i)
         scene.stage.drawFrame();
     EXPECT_EQ(log.count("not finite"), 1U);
-    setOwnDirection(scene.stage.light(), own);
+    light.mend();
     EXPECT_LT(scene.stage.light().getDerivedDirection().distance(direction), 1e-5F);
     expectGoodFrame();
     EXPECT_EQ(log.count("Lixel:"), 1U);
 }
 
-TEST_P(BadInput, NaNLightDirectionInTheFirstFrame) {
-    const Ogre::Vector3 own = ownDirection(scene.stage.light());
-    setOwnDirection(scene.stage.light(), Ogre::Vector3(NaN, 0, 0));
+TEST_P(BadInput, LightWithNaNInTheFirstFrame) {
+    SpoiltLight light(scene.stage.light());
+    light.spoil();
     scene.stage.drawFrame();
     EXPECT_EQ(log.count("not finite"), 1U);
-    setOwnDirection(scene.stage.light(), own);
+    light.mend();
     expectGoodFrame();
 }
 

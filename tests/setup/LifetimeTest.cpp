@@ -1,10 +1,7 @@
 // Setups that outlive what they were used with, and what is gone and replaced by another.
 
+#include "SpoiltLight.h"
 #include "TestStage.h"
-
-#include <Lixel/scene/OgreVersions.h>
-
-#include <limits>
 
 namespace Lixel::Tests {
 namespace {
@@ -102,7 +99,7 @@ TEST(Lifetime, ThePluginLeavesNothingBehind) {
     Ogre::Light* const lamp = scene.stage.sceneManager().createLight();
     scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode()->attachObject(lamp);
     lamp->setType(Ogre::Light::LT_SPOTLIGHT);
-    setOwnDirection(*lamp, Ogre::Vector3(std::numeric_limits<float>::quiet_NaN(), 0, 0));
+    SpoiltLight(*lamp).spoil();
     scene.stage.drawFrame();
     EXPECT_EQ(log.count("not finite"), 0U) << "a guard was left in the scene manager";
 }

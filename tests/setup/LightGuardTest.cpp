@@ -1,8 +1,7 @@
 // A light with a NaN stays away from OGRE, and whether it is visible stays the user's own choice.
 
+#include "SpoiltLight.h"
 #include "TestStage.h"
-
-#include <Lixel/scene/OgreVersions.h>
 
 #include <functional>
 #include <limits>
@@ -17,8 +16,8 @@ const Ogre::Vector3 InTheSun(4, 0, 0);
 
 class LightGuarded : public testing::Test {
 protected:
-    void spoil() { setOwnDirection(light, Ogre::Vector3(NaN, NaN, NaN)); }
-    void mend() { setOwnDirection(light, mOwn); }
+    void spoil() { mSpoilt.spoil(); }
+    void mend() { mSpoilt.mend(); }
     void draw() {
         for (int i = 0; i < 2; ++i)
             scene.stage.drawFrame();
@@ -30,7 +29,7 @@ protected:
     Ogre::Light& light = scene.stage.light();
 
 private:
-    const Ogre::Vector3 mOwn = ownDirection(light);
+    SpoiltLight mSpoilt{light};
 };
 
 TEST_F(LightGuarded, ShinesAgain) {
@@ -108,7 +107,7 @@ TEST_F(LightGuarded, LeavesANewLightOfTheSameNameAlone) {
     Ogre::SceneNode* const node = manager.getRootSceneNode()->createChildSceneNode();
     node->attachObject(lamp);
     lamp->setType(Ogre::Light::LT_DIRECTIONAL);
-    setOwnDirection(*lamp, Ogre::Vector3(NaN, NaN, NaN));
+    SpoiltLight(*lamp).spoil();
     draw();
     EXPECT_EQ(log.count("not finite"), 1U);
     manager.destroyLight(lamp);
@@ -120,7 +119,7 @@ TEST_F(LightGuarded, LeavesANewLightOfTheSameNameAlone) {
     draw();
     EXPECT_FALSE(lamp->getVisible()) << "that one was hidden by its user";
     lamp->setVisible(true);
-    setOwnDirection(*lamp, Ogre::Vector3(NaN, NaN, NaN));
+    SpoiltLight(*lamp).spoil();
     draw();
     EXPECT_EQ(log.count("not finite"), 2U) << "another light, another line";
 }

@@ -1,20 +1,18 @@
 // An application that knows Lixel by plugins.cfg alone: when OGRE unloads the plugin, its code
 // goes.
 
+#include "SpoiltLight.h"
+
 #include <Lixel/headless/Headless.h>
-#include <Lixel/scene/OgreVersions.h>
 
 #include <Ogre.h>
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <limits>
 
 namespace Lixel::Tests {
 namespace {
-
-constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 
 TEST(Unload, NothingIsCalledThatIsGone) {
     unsetenv("DISPLAY");
@@ -42,12 +40,14 @@ TEST(Unload, NothingIsCalledThatIsGone) {
     for (Ogre::Light* light : {mended, bad}) {
         light->setType(Ogre::Light::LT_DIRECTIONAL);
         manager->getRootSceneNode()->createChildSceneNode()->attachObject(light);
-        setOwnDirection(*light, Ogre::Vector3(NaN, NaN, NaN));
     }
+    SpoiltLight(*bad).spoil();
+    SpoiltLight spoilt(*mended);
+    spoilt.spoil();
     const Ogre::uint32 flags = mended->getVisibilityFlags();
     root.renderOneFrame();
     // Shadows on this one would end the program.
-    setOwnDirection(*mended, Ogre::Vector3::NEGATIVE_UNIT_Y);
+    spoilt.mend();
 
     root.unloadPlugin(plugin);
     EXPECT_EQ(mended->getVisibilityFlags(), flags);

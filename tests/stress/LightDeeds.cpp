@@ -86,8 +86,9 @@ std::string spoil(Application& application, World& world, Random& random) {
     Lamp* const lamp = anyOf(world.lamps, random);
     if (lamp == nullptr) return {};
     constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
-    // Without the plugin, OGRE ends on lights that are not finite.
-    const bool bad = random.oneIn(3) && application.pluginLoaded;
+    // Without the plugin, OGRE ends on lights that are not finite; a node's direction aborts in OGRE
+    // itself.
+    const bool bad = random.oneIn(3) && application.pluginLoaded && LightsHaveDirections;
     nodeOf(world, *lamp->light);
     setOwnDirection(*lamp->light,
                     bad ? Ogre::Vector3(NaN, 0, NaN) : Ogre::Vector3::NEGATIVE_UNIT_Z);
