@@ -38,8 +38,8 @@ Ogre::MaterialPtr surface(const std::string& base, Ogre::ShadowTechnique techniq
     const std::string suffix = suffixOf(technique);
     const Ogre::MaterialPtr known = materials.getByName(base + suffix);
     if (known) return known;
-    Ogre::MaterialPtr made =
-        materials.getByName(surfaceOf(technique), "General")->clone(base + suffix, true, "General");
+    Ogre::MaterialPtr made = materials.create(base + suffix, "General");
+    materials.getByName(surfaceOf(technique), "General")->copyDetailsTo(made);
     const bool white = suffix == "/White";
     for (Ogre::Pass* pass : made->getTechnique(0)->getPasses()) {
         const bool ambient = pass->getName() == "Ambient";
