@@ -135,6 +135,15 @@ inline void clearViewport(Ogre::Viewport& viewport, unsigned int buffers,
     if (current != nullptr && current != &viewport) system._setViewport(current);
 }
 
+/// Whether OGRE itself clamps casters' depths, instead of clipping casters, in this light's maps.
+inline bool ogreClampsDepth([[maybe_unused]] const Ogre::Light& light) {
+#if OGRE_MIN_VERSION(13, 6, 0)
+    return light.getType() == Ogre::Light::LT_DIRECTIONAL;
+#else
+    return false;
+#endif
+}
+
 /// Whether OGRE can draw a light's shadows, if it casts any. Since 13.6 it sets a camera of its own
 /// up from the light, to cull with, and asserts on what is not finite, whatever setup the light has.
 inline bool canDrawShadowsOf([[maybe_unused]] const Ogre::Light& light) {

@@ -1,5 +1,7 @@
 #include "common/MapCapture.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <OgreCamera.h>
 #include <OgreRenderSystem.h>
 
@@ -61,9 +63,10 @@ std::vector<EmulatedMap> MapCapture::capture(const NamedSetup& setup, int mapSiz
     mOrigin = wsOrigin;
     const Ogre::ShadowCameraSetupPtr instance = setup.create();
     const bool fitted = dynamic_cast<FittedShadowCameraSetup*>(instance.get()) != nullptr;
-    // Lixel's setups clamp where the render system can; OGRE's never do.
-    mClampsDepth = fitted && mStage.root().getRenderSystem()->getCapabilities()->hasCapability(
-                                 Ogre::RSC_DEPTH_CLAMP);
+    // Lixel's setups clamp where the render system can.
+    mClampsDepth =
+        (fitted || ogreClampsDepth(mStage.light())) &&
+        mStage.root().getRenderSystem()->getCapabilities()->hasCapability(Ogre::RSC_DEPTH_CLAMP);
     setMaps(mapSize, setup.maps);
     mStage.setShadowSetup(instance);
     const int frames = fitted ? 1 : SettlingFrames;

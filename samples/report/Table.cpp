@@ -4,6 +4,7 @@
 #include "common/MapCapture.h"
 #include "common/OracleView.h"
 
+#include <OgrePrerequisites.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -155,9 +156,11 @@ void printTable(const std::vector<NamedSetup>& setups, const std::vector<TableCa
         if (scenes.empty() || scenes.back() != one.scene) scenes.push_back(one.scene);
     const SomeCases all = casesWhere(cases, [](const TableCase&) { return true; });
 
-    fmt::print("Error in %, mean over the lights and views of a scene, {} cases in all\n\n"
+    // OGRE's own setups changed between its versions.
+    fmt::print("Error in %, mean over the lights and views of a scene, {} cases in all, OGRE "
+               "{}.{}.{}\n\n"
                "{:<20}",
-               cases.size(), "setup");
+               cases.size(), OGRE_VERSION_MAJOR, OGRE_VERSION_MINOR, OGRE_VERSION_PATCH, "setup");
     for (const std::string& scene : scenes)
         fmt::print(" {:>11}", scene);
     fmt::print(" {:>8} {:>8} {:>8}\n", "all", "acne", "leaks");

@@ -2,6 +2,7 @@
 
 #include "ChildProcess.h"
 
+#include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
@@ -118,9 +119,10 @@ CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
     if (maps > 1) scene.shareAmong(maps);
     MapProbe probe(scene, lixels);
     MapUse use;
-    // Lixel's setups clamp where the render system can; OGRE's never do.
-    use.clampsDepth = lixels && stage.root().getRenderSystem()->getCapabilities()->hasCapability(
-                                    Ogre::RSC_DEPTH_CLAMP);
+    // Lixel's setups clamp where the render system can.
+    use.clampsDepth =
+        (lixels || ogreClampsDepth(*scene.light)) &&
+        stage.root().getRenderSystem()->getCapabilities()->hasCapability(Ogre::RSC_DEPTH_CLAMP);
     use.greatestApart = lixels ? LixelsApart : OgresApart;
     drawCase(scene, hardCase, [&] { probe.maps.clear(); });
     return judgeFrame(scene, probe.maps, use);
