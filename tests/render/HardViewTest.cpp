@@ -51,15 +51,19 @@ TEST_P(HardView, CameraCut) {
     EXPECT_LT(first.error, 0.5);
 }
 
-/// What OGRE's own setup does with the same cut, so that the test above is known to be one.
+/// What OGRE's own setup does with the same cut, so that the test above is known to be one. OGRE
+/// 1.12 loses all, 14 a tenth.
 TEST_P(HardView, CameraCutLosesOgresShadows) {
     CutScene scene(GetParam(), "Ogre-Focused");
     scene.turnRound();
     const Samples::ClassificationError first = scene.nextFrameError();
-    EXPECT_EQ(first.leakPixels, first.shadowed);
+    EXPECT_GT(first.leakPixels, first.shadowed / 20);
     for (int i = 0; i < 5; ++i)
         scene.stage.drawFrame();
-    EXPECT_LT(scene.nextFrameError().leakPixels, first.shadowed / 10);
+    const Samples::ClassificationError settled = scene.nextFrameError();
+    fmt::print("leaks: first frame {}, settled {}, of {} shadowed pixels\n", first.leakPixels,
+               settled.leakPixels, first.shadowed);
+    EXPECT_LT(settled.leakPixels, first.leakPixels / 2);
 }
 
 /// A mast 2000 units behind the viewer, the sun at 10 degrees: its shadow falls in front of it.
