@@ -1,5 +1,5 @@
 // The samples' scenes and models: sound meshes, sensible views, and triangles as OGRE has them.
-// Needs no render system: meshes live in system memory.
+// Nothing is drawn: meshes live in system memory.
 
 #include "common/MeshBuilder.h"
 #include "common/ModelFile.h"
@@ -9,8 +9,9 @@
 #include "common/Surface.h"
 #include "common/Triangles.h"
 
+#include <Lixel/headless/Headless.h>
+
 #include <Ogre.h>
-#include <OgreDefaultHardwareBufferManager.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <stdexcept>
 
 namespace Lixel::Samples {
 namespace {
@@ -27,14 +29,22 @@ namespace {
 using Eigen::Vector3d;
 using Ogre::Vector3;
 
-/// A root without render system, and a stand-in for the material that the samples clone.
+/// A root, and a stand-in for the material that the samples clone. With a render system and a tiny
+/// window, because without their capabilities OGRE 14 crashes on any material with a texture.
 class OgreTest : public ::testing::Test {
 protected:
     OgreTest() {
         mLog.createLog("", true, false, true);
+        std::string error;
+        if (!Headless::enable(error)) throw std::runtime_error(error);
         mRoot = std::make_unique<Ogre::Root>("", "", "");
-        mBuffers = std::make_unique<Ogre::DefaultHardwareBufferManager>();
-        Ogre::MaterialManager::getSingleton().initialise();
+        mRoot->loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus");
+        mRoot->setRenderSystem(mRoot->getAvailableRenderers().front());
+        mRoot->initialise(false);
+        Ogre::NameValuePairList parameters;
+        for (const auto& [name, value] : Headless::windowParameters())
+            parameters[name] = value;
+        mRoot->createRenderWindow("window", 1, 1, false, &parameters);
         addSurfaceTemplate();
         scene = mRoot->createSceneManager();
         camera = scene->createCamera("viewer");
@@ -47,7 +57,6 @@ protected:
         mRoot->destroySceneManager(scene);
         Ogre::MeshManager::getSingleton().removeAll();
         mRoot.reset();
-        mBuffers.reset();
     }
 
     static void addSurfaceTemplate() {
@@ -67,7 +76,6 @@ protected:
 private:
     Ogre::LogManager mLog;
     std::unique_ptr<Ogre::Root> mRoot;
-    std::unique_ptr<Ogre::DefaultHardwareBufferManager> mBuffers;
 
 protected:
     Ogre::SceneManager* scene = nullptr;
