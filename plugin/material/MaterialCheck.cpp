@@ -71,7 +71,7 @@ void MaterialCheck::listen(bool toCasters) {
         mManager.removeRenderObjectListener(this);
 }
 
-void MaterialCheck::beginFrame() {
+void MaterialCheck::beginFrame(const std::string& scheme) {
     mLooks = mFrame < FirstLooks || mFrame % Interval == 0;
     ++mFrame;
     mCasters.clear();
@@ -79,7 +79,7 @@ void MaterialCheck::beginFrame() {
     mWrongFormats.clear();
     listen(mLooks);
     if (!mLooks) return;
-    for (const std::string& missing : findMissingMaterials(mManager))
+    for (const std::string& missing : findMissingMaterials(mManager, scheme))
         say(missing + Manual);
     for (const std::string& dropped : dropUnusableShadowMaterials())
         say(dropped);

@@ -38,7 +38,8 @@ public:
     ~MaterialCheck() override;
 
     /// A frame begins, in which this scene manager has shadow maps.
-    void beginFrame();
+    /// @param scheme of materials, that of the viewport
+    void beginFrame(const std::string& scheme);
     /// A map is about to be drawn into a shadow texture.
     void checkMap(const Ogre::Texture& texture, FitReason reason);
     /// What is queued is about to be drawn.

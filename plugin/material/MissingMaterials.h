@@ -13,8 +13,9 @@ namespace Lixel {
 
     OGRE's own have no programs, and can be drawn by a fixed function or by the shader system's
     programs; without either OGRE throws in the midst of a frame. One line for each, for the log.
-    None with OGRE 14 and newer, which does not let it be known.
+    @param scheme of the viewport, for which the shader system makes programs or does not
 */
-std::vector<std::string> findMissingMaterials(Ogre::SceneManager& manager);
+std::vector<std::string> findMissingMaterials(Ogre::SceneManager& manager,
+                                              const std::string& scheme);
 
 } // namespace Lixel

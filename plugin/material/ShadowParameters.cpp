@@ -63,7 +63,7 @@ public:
     }
 
     void bind(const ShadowMap& map) {
-        if (!mHasMaps) mCheck.beginFrame();
+        if (!mHasMaps) mCheck.beginFrame(map.shadowCamera.getViewport()->getMaterialScheme());
         mHasMaps = true;
         const ReceiverParameters parameters = receiverParameters(map);
         bindMap(map.light, map.iteration, parameters);

@@ -204,26 +204,28 @@ inline bool drawsMapsTogether([[maybe_unused]] const Ogre::Texture& texture) {
 #endif
 }
 
-/// Whether a scene manager was given a shadow caster and receiver material. True where OGRE does
-/// not let it be known, from 14 on.
-struct ShadowMaterialAccess : Ogre::SceneManager {
-#if OGRE_VERSION_MAJOR >= 14
-    static bool hasCaster(Ogre::SceneManager&) {
-        return true;
-    }
-    static bool hasReceiver(Ogre::SceneManager&) {
-        return true;
-    }
-#else
-    static bool hasCaster(Ogre::SceneManager& manager) {
-        return (manager.*(&ShadowMaterialAccess::mShadowRenderer)).mShadowTextureCustomCasterPass !=
-               nullptr;
-    }
-    static bool hasReceiver(Ogre::SceneManager& manager) {
-        return (manager.*(&ShadowMaterialAccess::mShadowRenderer))
-                   .mShadowTextureCustomReceiverPass != nullptr;
-    }
-#endif
+/** A scene manager's own record of its shadow materials. OGRE returns it nowhere, and it is private
+    since 14; but an explicit instantiation may name private members.
+*/
+template <auto ShadowRenderer>
+struct ShadowRendererAccess {
+    friend auto& shadowRendererOf(Ogre::SceneManager& manager) { return manager.*ShadowRenderer; }
 };
+auto& shadowRendererOf(Ogre::SceneManager& manager);
+#if OGRE_MIN_VERSION(14, 4, 0)
+template struct ShadowRendererAccess<&Ogre::SceneManager::mTextureShadowRenderer>;
+#else
+template struct ShadowRendererAccess<&Ogre::SceneManager::mShadowRenderer>;
+#endif
+
+/// Whether a scene manager was given a shadow caster material that can be drawn.
+inline bool hasShadowCasterMaterial(Ogre::SceneManager& manager) {
+    return shadowRendererOf(manager).mShadowTextureCustomCasterPass != nullptr;
+}
+
+/// Whether a scene manager was given a shadow receiver material that can be drawn.
+inline bool hasShadowReceiverMaterial(Ogre::SceneManager& manager) {
+    return shadowRendererOf(manager).mShadowTextureCustomReceiverPass != nullptr;
+}
 
 } // namespace Lixel
