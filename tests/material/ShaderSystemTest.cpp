@@ -19,6 +19,13 @@ public:
         for (const char* folder : {"/GLSL", "/HLSL_Cg", ""})
             groups.addResourceLocation(std::string(OGRE_MEDIA_DIR "/RTShaderLib") + folder,
                                        "FileSystem", Ogre::RGN_INTERNAL);
+        // Since 14 its samplers are in a script, and the group is initialised already.
+        const Ogre::StringVectorPtr scripts =
+            groups.findResourceNames(Ogre::RGN_INTERNAL, "RTSSamplers.material");
+        for (const Ogre::String& script : *scripts) {
+            Ogre::DataStreamPtr stream = groups.openResource(script, Ogre::RGN_INTERNAL);
+            Ogre::MaterialManager::getSingleton().parseScript(stream, Ogre::RGN_INTERNAL);
+        }
         if (!ShaderGenerator::initialize()) throw std::runtime_error("no shader generator");
         ShaderGenerator& generator = ShaderGenerator::getSingleton();
         generator.addSceneManager(&scene.stage.sceneManager());
@@ -27,6 +34,8 @@ public:
     }
     ~ShaderSystem() override {
         Ogre::MaterialManager::getSingleton().removeListener(this);
+        // OGRE 14 insists that no material uses it any more.
+        ShaderGenerator::getSingleton().removeAllShaderBasedTechniques();
         ShaderGenerator::destroy();
     }
     ShaderSystem(const ShaderSystem&) = delete;
@@ -48,9 +57,13 @@ public:
     /// OGRE's own sub-render state for three slices of a sun.
     static void usePssm(const std::vector<Ogre::Real>& splits) {
         ShaderGenerator& generator = ShaderGenerator::getSingleton();
-        auto* const pssm = static_cast<Ogre::RTShader::IntegratedPSSM3*>(
-            generator.createSubRenderState("SGX_IntegratedPSSM3"));
-        pssm->setSplitPoints(splits);
+        Ogre::RTShader::SubRenderState* const pssm =
+            generator.createSubRenderState("SGX_IntegratedPSSM3");
+#if __has_include(<RTShaderSystem/OgreShaderExIntegratedPSSM3.h>)
+        static_cast<Ogre::RTShader::IntegratedPSSM3*>(pssm)->setSplitPoints(splits);
+#else // Since 14 its class is in no public header.
+        pssm->setParameter("split_points", splits);
+#endif
         generator.getRenderState(Scheme)->addTemplateSubRenderState(pssm);
     }
 
