@@ -254,8 +254,12 @@ TEST_P(Emulation, ErrsAsTheDrawnMapDoes) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Emulation, testing::Values("field", "duel"),
-                         [](const auto& instance) { return std::string(instance.param); });
+INSTANTIATE_TEST_SUITE_P(Scenes, Emulation, testing::Values("field", "duel", "miners-lamp"),
+                         [](const auto& instance) {
+                             std::string name = instance.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
 
 } // namespace
 } // namespace Lixel::Tests
