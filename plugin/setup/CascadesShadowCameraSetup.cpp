@@ -8,6 +8,19 @@
 #include <cmath>
 
 namespace Lixel {
+namespace {
+
+/// Relative rounding of a near plane's depth that comes from a projection matrix in float.
+constexpr double NearRounding = 0x1p-16;
+
+/// Depth of the near plane on the viewer's axis; 0 where it is not in front of the viewer.
+double vsNearOf(const Mat4& clipFromView) {
+    const Eigen::RowVector4d plane = clipFromView.row(2) + clipFromView.row(3);
+    const double depth = plane[3] / plane[2];
+    return std::isfinite(depth) ? std::max(depth, 0.0) : 0.0;
+}
+
+} // namespace
 
 CascadesShadowCameraSetup::CascadesShadowCameraSetup(const Ogre::ShadowCameraSetupPtr& technique)
     : mTechnique(std::dynamic_pointer_cast<const FittedShadowCameraSetup>(technique)) {
@@ -52,7 +65,11 @@ ShadowParts CascadesShadowCameraSetup::divide(const ShadowProblem& problem, std:
     if (mSplitDepths.empty())
         cascadeSplits(problem, static_cast<int>(maps), mOptions, memory.cascades, memory.vsSplits);
     else
-        memory.vsSplits.assign(mSplitDepths.begin(), mSplitDepths.end());
+        // No slice ends before the viewer sees anything.
+        memory.vsSplits.assign(
+            std::upper_bound(mSplitDepths.begin(), mSplitDepths.end(),
+                             vsNearOf(problem.viewer.clipFromView) * (1.0 + NearRounding)),
+            mSplitDepths.end());
     if (memory.vsSplits.size() > maps - 1) memory.vsSplits.resize(maps - 1);
     return sliceView(problem.viewer, problem.light, memory.vsSplits);
 }

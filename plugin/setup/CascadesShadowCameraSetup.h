@@ -44,7 +44,9 @@ public:
     bool getFollowReceivers() const { return mOptions.followReceivers; }
 
     /** Where slices meet, as depths in front of the viewer in world units, instead of the above.
-        Those beyond the number of maps do not count; none, the default, for the above.
+        Those up to the viewer's near plane do not count, and of the others as many as there are
+        maps but one: so these may be all that PSSMShadowCameraSetup::getSplitPoints() returns.
+        None, the default, for the above.
         @throws Ogre::InvalidParametersException unless positive, finite and ascending. */
     void setSplitDepths(const std::vector<Ogre::Real>& depths);
     const std::vector<Ogre::Real>& getSplitDepths() const { return mSplitDepths; }

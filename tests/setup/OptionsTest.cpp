@@ -1,5 +1,7 @@
 // Wrong calls name their argument.
 
+#include "TestStage.h"
+
 #include <Lixel/setup/CascadesShadowCameraSetup.h>
 #include <Lixel/setup/LiSPSMShadowCameraSetup.h>
 #include <Lixel/setup/ObservedShadowCameraSetup.h>
@@ -13,9 +15,11 @@
 
 #include <OgreException.h>
 #include <OgreMovablePlane.h>
+#include <OgreShadowCameraSetupPSSM.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace Lixel::Tests {
@@ -180,6 +184,39 @@ TEST(Options, PostProjectiveCube) {
     EXPECT_EQ(setup.getSlideBack(), 1.0F);
     for (const float wrong : {-1.0F, NaN, Infinity})
         EXPECT_NE(refusal([&] { setup.setSlideBack(wrong); }).find("slideBack"), std::string::npos);
+}
+
+/// OGRE's has the ends of all slices in it, and its near plane first.
+TEST(Options, CascadesTakeAllSplitPointsOfOgresPssm) {
+    struct Ends : ShadowMapObserver {
+        Ends() { addShadowMapObserver(*this); }
+        void shadowMapFitted(const ShadowMap& map) override {
+            vsEnds.resize(std::max(vsEnds.size(), map.iteration + 1));
+            vsEnds[map.iteration] = map.part.vsEnd;
+        }
+        std::vector<double> vsEnds;
+    };
+    BoxOnGround scene;
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    manager.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    manager.setShadowTextureReceiverMaterial(Ogre::MaterialPtr());
+    manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
+    manager.setShadowTextureCount(3);
+    for (const float near : {0.1F, 0.003F}) {
+        scene.stage.camera().setNearClipDistance(near);
+        Ogre::PSSMShadowCameraSetup pssm;
+        pssm.calculateSplitPoints(3, near, 80);
+        const Ogre::PSSMShadowCameraSetup::SplitPointList& points = pssm.getSplitPoints();
+        ASSERT_EQ(points.size(), 4U);
+        const auto setup = CascadesShadowCameraSetup::create(UniformShadowCameraSetup::create());
+        setup->setSplitDepths(points);
+        scene.stage.light().setCustomShadowCameraSetup(setup);
+        Ends ends;
+        scene.stage.drawFrame();
+        ASSERT_EQ(ends.vsEnds.size(), 3U);
+        EXPECT_NEAR(ends.vsEnds[0], static_cast<double>(points[1]), 1e-4);
+        EXPECT_NEAR(ends.vsEnds[1], static_cast<double>(points[2]), 1e-4);
+    }
 }
 
 TEST(Options, Cascades) {
