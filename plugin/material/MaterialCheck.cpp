@@ -56,6 +56,24 @@ bool isLixels(const Ogre::Pass& caster) {
     return caster.hasVertexProgram() && writesCasterDepth(*caster.getVertexProgramParameters());
 }
 
+/// How many maps a pass reads of the light at a place among its own.
+std::size_t mapsReadBy(const Ogre::Pass& pass, std::size_t light) {
+    std::size_t maps = 0;
+    if (pass.hasVertexProgram()) maps = mapsRead(*pass.getVertexProgramParameters(), light);
+    if (pass.hasFragmentProgram())
+        maps = std::max(maps, mapsRead(*pass.getFragmentProgramParameters(), light));
+    return maps;
+}
+
+/// Which material reads as many maps, as the beginning of what to do. Empty where none does.
+std::string materialReading(std::size_t maps) {
+    for (const std::size_t known : {2U, 3U, 4U, 6U})
+        if (maps <= known)
+            return "take Lixel/Surface/Integrated/Maps" + std::to_string(known) +
+                   ", or a program that reads as many, or ";
+    return {};
+}
+
 } // namespace
 
 MaterialCheck::~MaterialCheck() {
@@ -76,6 +94,8 @@ void MaterialCheck::beginFrame(const std::string& scheme) {
     ++mFrame;
     mCasters.clear();
     mDrawn.clear();
+    mCounted.clear();
+    mMaps.clear();
     mWrongFormats.clear();
     listen(mLooks);
     if (!mLooks) return;
@@ -85,9 +105,12 @@ void MaterialCheck::beginFrame(const std::string& scheme) {
         say(dropped);
 }
 
-void MaterialCheck::checkMap(const Ogre::Texture& texture, FitReason reason) {
+void MaterialCheck::checkMap(const Ogre::Texture& texture, const ShadowMap& map) {
     if (!mLooks) return;
-    if (reason == FitReason::NoReceivers && !mManager.getShadowTextureSelfShadow())
+    LightMaps& maps = mMaps[&map.light];
+    maps.all = std::max(maps.all, map.iteration + 1);
+    if (map.fit.hasMap()) maps.used = std::max(maps.used, map.iteration + 1);
+    if (map.fit.reason == FitReason::NoReceivers && !mManager.getShadowTextureSelfShadow())
         say("nothing in view receives shadows in scene manager " + quoted(mManager.getName()) +
             ": what casts shadows receives none until SceneManager::setShadowTextureSelfShadow("
             "true)");
@@ -119,7 +142,8 @@ void MaterialCheck::checkLights(const std::set<const Ogre::Light*>& withMaps) {
         needed += mManager.getShadowTextureCountPerLightType(light->getType());
         if (hasTexture && mDrawsLixelsCasters && withMaps.count(light) == 0)
             say("light " + quoted(light->getName()) +
-                " casts shadows by no setup that Lixel knows of, and so none that Lixel's materials "
+                " casts shadows by no setup that Lixel knows of, and so none that Lixel's "
+                "materials "
                 "show: give it one of Lixel's, or its own inside ObservedShadowCameraSetup");
     }
     // Numbers of lights come and go; once is enough.
@@ -167,6 +191,23 @@ void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
         check(pass.getFragmentProgramName(), pass.getFragmentProgramParameters());
 }
 
+void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights) {
+    if (!pass.getParent()->getParent()->getReceiveShadows()) return;
+    for (std::size_t place = 0; place < lights.size(); ++place) {
+        const auto found = mMaps.find(lights[place]);
+        if (found == mMaps.end() || !mCounted.emplace(&pass, found->first).second) continue;
+        const LightMaps& maps = found->second;
+        const std::size_t read = mapsReadBy(pass, place);
+        if (read == 0 || read >= maps.used) continue;
+        say("material " + quoted(materialOf(pass)) + " reads " + std::to_string(read) +
+            (read == 1 ? " shadow map" : " shadow maps") + " of light " +
+            quoted(found->first->getName()) + ", which has " + std::to_string(maps.all) +
+            ": shadows in the others are missing; " + materialReading(maps.all) +
+            "give the light fewer textures (SceneManager::setShadowTextureCountPerLightType)" +
+            Manual);
+    }
+}
+
 void MaterialCheck::checkCasters() {
     // Other casters go with other receivers: nothing of Lixel's to say.
     mDrawsLixelsCasters = std::any_of(mCasters.begin(), mCasters.end(),
@@ -189,12 +230,13 @@ void MaterialCheck::checkCasters() {
 
 void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const Ogre::Pass* pass,
                                              const Ogre::AutoParamDataSource*,
-                                             const Ogre::LightList*, bool) {
+                                             const Ogre::LightList* lights, bool) {
     if (mManager._getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) {
         if (mCasters.count(pass) == 0) mCasters[pass] = renderable->getMaterial()->getName();
-    } else if (mDrawn.insert(pass).second) {
-        checkPrograms(*pass);
+        return;
     }
+    if (mDrawn.insert(pass).second) checkPrograms(*pass);
+    if (lights != nullptr && mManager.isShadowTechniqueIntegrated()) checkReads(*pass, *lights);
 }
 
 void MaterialCheck::say(const std::string& message) {

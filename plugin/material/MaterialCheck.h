@@ -1,12 +1,13 @@
 #pragma once
 
-#include "fit/ShadowFit.h"
+#include "setup/ShadowMapObserver.h"
 
 #include <OgreRenderObjectListener.h>
 
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace Ogre {
 class Light;
@@ -20,7 +21,7 @@ namespace Lixel {
 /** Looks at the materials that a scene manager draws with, and says in the log what cannot work.
 
     Each line names the material and what to do, and is said once: surfaces that OGRE will refuse to
-    draw, or that read no shadow map; programs whose parameters are bound wrongly; casters that
+    draw, or that read no shadow map, or fewer than a light has; programs whose parameters are bound wrongly; casters that
     write another depth than the rest; shadow textures that cannot hold it, or that are too few;
     lights without a setup.
 
@@ -41,7 +42,7 @@ public:
     /// @param scheme of materials, that of the viewport
     void beginFrame(const std::string& scheme);
     /// A map is about to be drawn into a shadow texture.
-    void checkMap(const Ogre::Texture& texture, FitReason reason);
+    void checkMap(const Ogre::Texture& texture, const ShadowMap& map);
     /// What is queued is about to be drawn.
     /// @param lightsWithMaps those that setups were asked for
     void checkQueue(const std::set<const Ogre::Light*>& lightsWithMaps);
@@ -54,6 +55,7 @@ public:
 
 private:
     void listen(bool toCasters);
+    void checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights);
     void checkSurface(const Ogre::Pass& pass, bool groupReceives);
     void checkPrograms(const Ogre::Pass& pass);
     void checkCasters();
@@ -70,6 +72,13 @@ private:
     std::map<const Ogre::Pass*, std::string> mCasters;
     /// This frame's other passes, receivers among them.
     std::set<const Ogre::Pass*> mDrawn;
+    /// Of those, with each light that they were drawn with: whose maps were counted.
+    std::set<std::pair<const Ogre::Pass*, const Ogre::Light*>> mCounted;
+    struct LightMaps {
+        std::size_t all = 0;  ///< that it has textures for
+        std::size_t used = 0; ///< up to the last one that shows anything
+    };
+    std::map<const Ogre::Light*, LightMaps> mMaps; ///< this frame's
     /// Formats of this frame's shadow textures that Lixel's casters cannot store their depth in.
     std::set<std::string> mWrongFormats;
     bool mDrawsLixelsCasters = false;

@@ -46,12 +46,20 @@ std::optional<int> lightParameterOf(std::string_view uniform) {
     return std::nullopt;
 }
 
-bool isLightParameter(int parameter) {
-    if (parameter == LP_CASTER_DEPTH || parameter == LP_SPLIT_DEPTHS) return true;
-    const int map = (parameter - LP_MAP_ROW_U) / LP_MAP_STEP;
+/// The index of the map that a parameter is of.
+int mapOf(int parameter) {
+    return (parameter - LP_MAP_ROW_U) / LP_MAP_STEP;
+}
+
+bool isMapParameter(int parameter) {
     return std::any_of(MapUniforms.begin(), MapUniforms.end(), [&](const MapUniform& known) {
-        return parameter == known.parameter + LP_MAP_STEP * map;
+        return parameter == known.parameter + LP_MAP_STEP * mapOf(parameter);
     });
+}
+
+bool isLightParameter(int parameter) {
+    return parameter == LP_CASTER_DEPTH || parameter == LP_SPLIT_DEPTHS ||
+           isMapParameter(parameter);
 }
 
 /// Whether a number lies where Lixel's parameters do.
@@ -115,6 +123,17 @@ std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& par
         if (!line.empty()) wrong.push_back(std::move(line));
     }
     return wrong;
+}
+
+std::size_t mapsRead(const Ogre::GpuProgramParameters& parameters, std::size_t light) {
+    std::size_t maps = 0;
+    for (const Automatic& automatic : parameters.getAutoConstants()) {
+        if (!isLightCustom(&automatic) || (automatic.data & 0xFFFFU) != light) continue;
+        const int parameter = static_cast<int>(automatic.data >> LightBits);
+        if (isInRange(parameter) && isMapParameter(parameter))
+            maps = std::max(maps, static_cast<std::size_t>(mapOf(parameter)) + 1);
+    }
+    return maps;
 }
 
 bool writesCasterDepth(const Ogre::GpuProgramParameters& parameters) {

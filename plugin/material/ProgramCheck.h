@@ -2,6 +2,7 @@
 
 #include <OgreGpuProgramParams.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,10 @@ std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& par
 /// Whether a program writes the depth that Lixel's receivers compare with: it has the uniform
 /// lixelCasterDepth.
 bool writesCasterDepth(const Ogre::GpuProgramParameters& parameters);
+
+/// How many shadow maps of a light a program reads, by any names: the greatest map's index that one
+/// of its uniforms is bound to, plus one. 0 where it is bound to none.
+/// @param light its place in the pass
+std::size_t mapsRead(const Ogre::GpuProgramParameters& parameters, std::size_t light);
 
 } // namespace Lixel

@@ -69,7 +69,7 @@ public:
         bindMap(map.light, map.iteration, parameters);
         bindSplit(map);
         const Ogre::TexturePtr texture = textureOf(map.shadowCamera, mManager);
-        if (texture) mCheck.checkMap(*texture, map.fit.reason);
+        if (texture) mCheck.checkMap(*texture, map);
         // Receiver passes see one map a light.
         if (map.iteration != 0) return;
         mMaps[&map.light] = parameters;
