@@ -65,6 +65,11 @@ std::size_t mapsReadBy(const Ogre::Pass& pass, std::size_t light) {
     return maps;
 }
 
+bool isForModulativeShadows(const Ogre::Pass& pass) {
+    return (pass.hasVertexProgram() && readsModulativeMap(*pass.getVertexProgramParameters())) ||
+           (pass.hasFragmentProgram() && readsModulativeMap(*pass.getFragmentProgramParameters()));
+}
+
 /// Which material reads as many maps, as the beginning of what to do. Empty where none does.
 std::string materialReading(std::size_t maps) {
     for (const std::size_t known : {2U, 3U, 4U, 6U})
@@ -191,6 +196,19 @@ void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
         check(pass.getFragmentProgramName(), pass.getFragmentProgramParameters());
 }
 
+void MaterialCheck::checkReceiver(const Ogre::Pass& pass) {
+    // By its programs: OGRE sets the blending to that of the technique.
+    const bool isAdditive = mapsReadBy(pass, 0) > 0;
+    const bool isModulative = isForModulativeShadows(pass);
+    if (isAdditive == isModulative || isAdditive == mManager.isShadowTechniqueAdditive()) return;
+    say("shadow receiver material " + quoted(materialOf(pass)) + " is for " +
+        (isAdditive ? "additive shadows, and this scene manager's are modulative: take "
+                      "'Lixel/Receiver/Modulative/Bilinear', or SHADOWTYPE_TEXTURE_ADDITIVE"
+                    : "modulative shadows, and this scene manager's are additive: take "
+                      "'Lixel/Receiver/Bilinear', or SHADOWTYPE_TEXTURE_MODULATIVE") +
+        Manual);
+}
+
 void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights) {
     if (!pass.getParent()->getParent()->getReceiveShadows()) return;
     for (std::size_t place = 0; place < lights.size(); ++place) {
@@ -235,7 +253,11 @@ void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const
         if (mCasters.count(pass) == 0) mCasters[pass] = renderable->getMaterial()->getName();
         return;
     }
-    if (mDrawn.insert(pass).second) checkPrograms(*pass);
+    if (mDrawn.insert(pass).second) {
+        checkPrograms(*pass);
+        if (mManager._getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS)
+            checkReceiver(*pass);
+    }
     if (lights != nullptr && mManager.isShadowTechniqueIntegrated()) checkReads(*pass, *lights);
 }
 

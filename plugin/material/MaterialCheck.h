@@ -21,9 +21,9 @@ namespace Lixel {
 /** Looks at the materials that a scene manager draws with, and says in the log what cannot work.
 
     Each line names the material and what to do, and is said once: surfaces that OGRE will refuse to
-    draw, or that read no shadow map, or fewer than a light has; programs whose parameters are bound wrongly; casters that
-    write another depth than the rest; shadow textures that cannot hold it, or that are too few;
-    lights without a setup.
+    draw, or that read no shadow map, or fewer than a light has; receivers of another shadow
+    technique; programs whose parameters are bound wrongly; casters that write another depth than
+    the rest; shadow textures that cannot hold it, or that are too few; lights without a setup.
 
     Looking costs time, so it is done in the first frames of a scene manager, and then every
     Interval frames.
@@ -55,6 +55,7 @@ public:
 
 private:
     void listen(bool toCasters);
+    void checkReceiver(const Ogre::Pass& pass);
     void checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights);
     void checkSurface(const Ogre::Pass& pass, bool groupReceives);
     void checkPrograms(const Ogre::Pass& pass);

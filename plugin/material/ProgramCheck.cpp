@@ -141,4 +141,8 @@ bool writesCasterDepth(const Ogre::GpuProgramParameters& parameters) {
            parameters._findNamedConstantDefinition(CasterDepth) != nullptr;
 }
 
+bool readsModulativeMap(const Ogre::GpuProgramParameters& parameters) {
+    return parameters.isUsingSharedParameters(SharedParameters::setOf("lixelLight"));
+}
+
 } // namespace Lixel

@@ -26,4 +26,8 @@ bool writesCasterDepth(const Ogre::GpuProgramParameters& parameters);
 /// @param light its place in the pass
 std::size_t mapsRead(const Ogre::GpuProgramParameters& parameters, std::size_t light);
 
+/// Whether a program reads the map of the light whose modulative pass is drawn: its parameters refer
+/// to the shared set Lixel/ModulativeReceiver.
+bool readsModulativeMap(const Ogre::GpuProgramParameters& parameters);
+
 } // namespace Lixel

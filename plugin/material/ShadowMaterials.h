@@ -17,7 +17,9 @@ namespace Lixel {
     for no material, and ends in an exception about another.
 
     @param sceneManager whose materials are set
-    @param receiver empty for none: integrated shadow techniques take none
+    @param receiver empty for none: integrated shadow techniques take none. Which technique it goes
+    with is known when it is drawn, since the technique may be set later: the log says then if it is
+    another
     @throws Ogre::ItemIdentityException where there is no material of a name, with those that there
     are
 */

@@ -93,7 +93,26 @@ INSTANTIATE_TEST_SUITE_P(
                   "Lixel/Receiver",
                   "Test/CastsByForeign",
                   {"what wears material 'Test/CastsByForeign' casts by the caster material "
-                   "'Test/ForeignCaster'"}}),
+                   "'Test/ForeignCaster'"}},
+        WrongCase{"AdditiveReceiver",
+                  Ogre::SHADOWTYPE_TEXTURE_MODULATIVE,
+                  "Lixel/Receiver/Bilinear",
+                  "Lixel/Surface",
+                  {"shadow receiver material 'Lixel/Receiver/Bilinear' is for additive shadows, "
+                   "and this scene manager's are modulative: take "
+                   "'Lixel/Receiver/Modulative/Bilinear'"}},
+        WrongCase{"ModulativeReceiver",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                  "Lixel/Receiver/Modulative/Bilinear",
+                  "Lixel/Surface",
+                  {"shadow receiver material 'Lixel/Receiver/Modulative/Bilinear' is for "
+                   "modulative shadows, and this scene manager's are additive: take "
+                   "'Lixel/Receiver/Bilinear'"}},
+        WrongCase{"AdditiveReceiverOfItsOwn",
+                  Ogre::SHADOWTYPE_TEXTURE_MODULATIVE,
+                  "Lixel/Receiver/Modulative",
+                  "Test/OwnReceiver",
+                  {"shadow receiver material 'Test/Receiver' is for additive shadows"}}),
     [](const auto& wrong) { return std::string(wrong.param.name); });
 
 TEST(MaterialCheck, SaysHowAScenesReceiverIsBoundWrongly) {
@@ -158,6 +177,16 @@ TEST(ShadowMaterials, AreKnownByName) {
         EXPECT_NE(message.find("Lixel/Receiver/Bilinear"), std::string::npos) << message;
     }
     EXPECT_EQ(before, scene.draw()) << "a wrong name changes nothing";
+}
+
+TEST(ShadowMaterials, OfTheOtherTechniqueAreNamedInTheFirstFrame) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "");
+    LogCollector log;
+    setShadowMaterials(scene.stage.sceneManager(), "Lixel/Receiver/Bilinear");
+    scene.stage.sceneManager().setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE);
+    EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+    scene.draw();
+    EXPECT_EQ(log.count("'Lixel/Receiver/Bilinear' is for additive shadows"), 1U) << log.all();
 }
 
 /// OGRE uses a surface's own shadow materials unasked, and crashed on these.
