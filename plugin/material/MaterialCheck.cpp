@@ -52,24 +52,6 @@ const Ogre::RenderSystemCapabilities& capabilities() {
     return *Ogre::Root::getSingleton().getRenderSystem()->getCapabilities();
 }
 
-bool isLixels(const Ogre::Pass& caster) {
-    return caster.hasVertexProgram() && writesCasterDepth(*caster.getVertexProgramParameters());
-}
-
-/// How many maps a pass reads of the light at a place among its own.
-std::size_t mapsReadBy(const Ogre::Pass& pass, std::size_t light) {
-    std::size_t maps = 0;
-    if (pass.hasVertexProgram()) maps = mapsRead(*pass.getVertexProgramParameters(), light);
-    if (pass.hasFragmentProgram())
-        maps = std::max(maps, mapsRead(*pass.getFragmentProgramParameters(), light));
-    return maps;
-}
-
-bool isForModulativeShadows(const Ogre::Pass& pass) {
-    return (pass.hasVertexProgram() && readsModulativeMap(*pass.getVertexProgramParameters())) ||
-           (pass.hasFragmentProgram() && readsModulativeMap(*pass.getFragmentProgramParameters()));
-}
-
 /// Which material reads as many maps, as the beginning of what to do. Empty where none does.
 std::string materialReading(std::size_t maps) {
     for (const std::size_t known : {2U, 3U, 4U, 6U})
@@ -198,8 +180,8 @@ void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
 
 void MaterialCheck::checkReceiver(const Ogre::Pass& pass) {
     // By its programs: OGRE sets the blending to that of the technique.
-    const bool isAdditive = mapsReadBy(pass, 0) > 0;
-    const bool isModulative = isForModulativeShadows(pass);
+    const bool isAdditive = mapsRead(pass, 0) > 0;
+    const bool isModulative = readsModulativeMap(pass);
     if (isAdditive == isModulative || isAdditive == mManager.isShadowTechniqueAdditive()) return;
     say("shadow receiver material " + quoted(materialOf(pass)) + " is for " +
         (isAdditive ? "additive shadows, and this scene manager's are modulative: take "
@@ -215,7 +197,7 @@ void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& li
         const auto found = mMaps.find(lights[place]);
         if (found == mMaps.end() || !mCounted.emplace(&pass, found->first).second) continue;
         const LightMaps& maps = found->second;
-        const std::size_t read = mapsReadBy(pass, place);
+        const std::size_t read = mapsRead(pass, place);
         if (read == 0 || read >= maps.used) continue;
         say("material " + quoted(materialOf(pass)) + " reads " + std::to_string(read) +
             (read == 1 ? " shadow map" : " shadow maps") + " of light " +
@@ -228,8 +210,9 @@ void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& li
 
 void MaterialCheck::checkCasters() {
     // Other casters go with other receivers: nothing of Lixel's to say.
-    mDrawsLixelsCasters = std::any_of(mCasters.begin(), mCasters.end(),
-                                      [](const auto& caster) { return isLixels(*caster.first); });
+    mDrawsLixelsCasters = std::any_of(mCasters.begin(), mCasters.end(), [](const auto& caster) {
+        return writesCasterDepth(*caster.first);
+    });
     if (!mDrawsLixelsCasters) return;
     for (const std::string& format : mWrongFormats)
         say("shadow textures of format " + format +
@@ -237,7 +220,7 @@ void MaterialCheck::checkCasters() {
             "with PF_FLOAT32_R; or casters and receivers of your own");
     for (const auto& [pass, material] : mCasters) {
         checkPrograms(*pass);
-        if (!isLixels(*pass))
+        if (!writesCasterDepth(*pass))
             say("what wears material " + quoted(material) + " casts by the caster material " +
                 quoted(materialOf(*pass)) +
                 ", which takes the place of Lixel/Caster and does not write the depth that Lixel's "

@@ -35,12 +35,12 @@ bool canDraw(const char* material, const std::string& scheme) {
 std::vector<std::string> findMissingMaterials(Ogre::SceneManager& manager,
                                               const std::string& scheme) {
     std::vector<std::string> missing;
-    if (!hasShadowCasterMaterial(manager) && !canDraw("Ogre/TextureShadowCaster", scheme))
+    if (shadowCasterPassOf(manager) == nullptr && !canDraw("Ogre/TextureShadowCaster", scheme))
         missing.push_back("scene manager '" + manager.getName() +
                           "' has no shadow caster material, and OGRE's own cannot be drawn here: "
                           "give setShadowTextureCasterMaterial 'Lixel/Caster'. A name that no "
                           "material has is none, and so is one whose programs do not compile");
-    if (!manager.isShadowTechniqueIntegrated() && !hasShadowReceiverMaterial(manager) &&
+    if (!manager.isShadowTechniqueIntegrated() && shadowReceiverPassOf(manager) == nullptr &&
         !canDraw("Ogre/TextureShadowReceiver", scheme))
         missing.push_back(
             "scene manager '" + manager.getName() +

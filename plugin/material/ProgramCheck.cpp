@@ -4,6 +4,8 @@
 #include "material/ShadowParameters.h"
 #include "material/SharedParameters.h"
 
+#include <OgrePass.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -27,6 +29,7 @@ constexpr std::array MapUniforms{
 
 /// In a script: the parameter's index in the upper 16 bits, the light's place in the pass below.
 constexpr int LightBits = 16;
+constexpr std::size_t LightMask = 0xFFFF;
 
 std::string scriptNumber(int parameter) {
     return std::to_string(parameter << LightBits);
@@ -98,7 +101,7 @@ std::string wrongBindingOf(const std::string& uniform, const Automatic* automati
 std::string wrongNumberOf(const std::string& uniform, const Automatic* automatic) {
     if (!isLightCustom(automatic)) return {};
     const int parameter = static_cast<int>(automatic->data >> LightBits);
-    const int low = static_cast<int>(automatic->data & 0xFFFFU);
+    const int low = static_cast<int>(automatic->data & LightMask);
     const std::string bound =
         "'" + uniform + "' is bound to light_custom " + std::to_string(automatic->data);
     if (parameter == 0 && isInRange(low) && isLightParameter(low))
@@ -108,6 +111,12 @@ std::string wrongNumberOf(const std::string& uniform, const Automatic* automatic
     if (isInRange(parameter) && !isLightParameter(parameter))
         return bound + ", parameter " + std::to_string(parameter) + ": there is none of that index";
     return {};
+}
+
+template <typename Visit>
+void forPrograms(const Ogre::Pass& pass, const Visit& visit) {
+    if (pass.hasVertexProgram()) visit(*pass.getVertexProgramParameters());
+    if (pass.hasFragmentProgram()) visit(*pass.getFragmentProgramParameters());
 }
 
 } // namespace
@@ -125,24 +134,32 @@ std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& par
     return wrong;
 }
 
-std::size_t mapsRead(const Ogre::GpuProgramParameters& parameters, std::size_t light) {
-    std::size_t maps = 0;
-    for (const Automatic& automatic : parameters.getAutoConstants()) {
-        if (!isLightCustom(&automatic) || (automatic.data & 0xFFFFU) != light) continue;
-        const int parameter = static_cast<int>(automatic.data >> LightBits);
-        if (isInRange(parameter) && isMapParameter(parameter))
-            maps = std::max(maps, static_cast<std::size_t>(mapOf(parameter)) + 1);
-    }
-    return maps;
-}
-
-bool writesCasterDepth(const Ogre::GpuProgramParameters& parameters) {
+bool writesCasterDepth(const Ogre::Pass& pass) {
+    if (!pass.hasVertexProgram()) return false;
+    const Ogre::GpuProgramParameters& parameters = *pass.getVertexProgramParameters();
     return parameters.hasNamedParameters() &&
            parameters._findNamedConstantDefinition(CasterDepth) != nullptr;
 }
 
-bool readsModulativeMap(const Ogre::GpuProgramParameters& parameters) {
-    return parameters.isUsingSharedParameters(SharedParameters::setOf("lixelLight"));
+std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light) {
+    std::size_t maps = 0;
+    forPrograms(pass, [&](const Ogre::GpuProgramParameters& parameters) {
+        for (const Automatic& automatic : parameters.getAutoConstants()) {
+            if (!isLightCustom(&automatic) || (automatic.data & LightMask) != light) continue;
+            const int parameter = static_cast<int>(automatic.data >> LightBits);
+            if (isInRange(parameter) && isMapParameter(parameter))
+                maps = std::max(maps, static_cast<std::size_t>(mapOf(parameter)) + 1);
+        }
+    });
+    return maps;
+}
+
+bool readsModulativeMap(const Ogre::Pass& pass) {
+    bool reads = false;
+    forPrograms(pass, [&](const Ogre::GpuProgramParameters& parameters) {
+        reads |= parameters.isUsingSharedParameters(SharedParameters::setOf("lixelLight"));
+    });
+    return reads;
 }
 
 } // namespace Lixel

@@ -6,6 +6,10 @@
 #include <string>
 #include <vector>
 
+namespace Ogre {
+class Pass;
+} // namespace Ogre
+
 namespace Lixel {
 
 /** What is wrong with how a program's parameters are bound to Lixel's, as lines for the log.
@@ -17,17 +21,17 @@ namespace Lixel {
 */
 std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& parameters);
 
-/// Whether a program writes the depth that Lixel's receivers compare with: it has the uniform
-/// lixelCasterDepth.
-bool writesCasterDepth(const Ogre::GpuProgramParameters& parameters);
+/// Whether a pass writes the depth that Lixel's receivers compare with: its vertex program has the
+/// uniform lixelCasterDepth.
+bool writesCasterDepth(const Ogre::Pass& pass);
 
-/// How many shadow maps of a light a program reads, by any names: the greatest map's index that one
-/// of its uniforms is bound to, plus one. 0 where it is bound to none.
-/// @param light its place in the pass
-std::size_t mapsRead(const Ogre::GpuProgramParameters& parameters, std::size_t light);
+/// How many shadow maps of a light a pass reads, by any names: the greatest map's index that a
+/// uniform of its programs is bound to, plus one. 0 where none is.
+/// @param light its place among the pass's lights
+std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light);
 
-/// Whether a program reads the map of the light whose modulative pass is drawn: its parameters refer
-/// to the shared set Lixel/ModulativeReceiver.
-bool readsModulativeMap(const Ogre::GpuProgramParameters& parameters);
+/// Whether a pass reads the map of the light whose modulative pass is drawn: its programs refer to
+/// the shared set Lixel/ModulativeReceiver.
+bool readsModulativeMap(const Ogre::Pass& pass);
 
 } // namespace Lixel

@@ -1,6 +1,7 @@
 #include "material/ShadowParameters.h"
 
 #include "material/MaterialCheck.h"
+#include "material/NoMapsCheck.h"
 #include "material/ReceiverParameters.h"
 #include "material/SharedParameters.h"
 #include "material/SurfaceReceivers.h"
@@ -37,7 +38,11 @@ bool hasReceiverPasses(const Ogre::SceneManager& manager) {
 class ShadowParameters::SceneListener : public SceneManagerListener {
 public:
     SceneListener(ShadowParameters& owner, Ogre::SceneManager& manager)
-        : mOwner(owner), mManager(manager), mSurfaceReceivers(manager), mCheck(manager) {
+        : mOwner(owner),
+          mManager(manager),
+          mSurfaceReceivers(manager),
+          mCheck(manager),
+          mNoMapsCheck(manager) {
         addSceneManagerListener(mManager, *this);
     }
     ~SceneListener() override {
@@ -65,6 +70,7 @@ public:
     void bind(const ShadowMap& map) {
         if (!mHasMaps) mCheck.beginFrame(map.shadowCamera.getViewport()->getMaterialScheme());
         mHasMaps = true;
+        mNoMapsCheck.mapFitted();
         const ReceiverParameters parameters = receiverParameters(map);
         bindMap(map.light, map.iteration, parameters);
         bindSplit(map);
@@ -79,8 +85,9 @@ public:
 
     void postFindVisibleObjects(Ogre::SceneManager*,
                                 Ogre::SceneManager::IlluminationRenderStage stage,
-                                Ogre::Viewport*) override {
-        if (!mHasMaps || stage != Ogre::SceneManager::IRS_NONE) return;
+                                Ogre::Viewport* viewport) override {
+        if (stage != Ogre::SceneManager::IRS_NONE) return;
+        if (!mHasMaps) return mNoMapsCheck.checkQueue(*viewport);
         std::set<const Ogre::Light*> withMaps;
         for (const auto& [light, parameters] : mMaps)
             withMaps.insert(light);
@@ -125,6 +132,7 @@ private:
     std::map<const Ogre::Light*, Ogre::Vector4> mSplits;
     SurfaceReceivers mSurfaceReceivers;
     MaterialCheck mCheck;
+    NoMapsCheck mNoMapsCheck;
     /// Whether a map was fitted for the camera that is being drawn.
     bool mHasMaps = false;
     bool mListensToObjects = false;

@@ -218,14 +218,16 @@ template struct ShadowRendererAccess<&Ogre::SceneManager::mTextureShadowRenderer
 template struct ShadowRendererAccess<&Ogre::SceneManager::mShadowRenderer>;
 #endif
 
-/// Whether a scene manager was given a shadow caster material that can be drawn.
-inline bool hasShadowCasterMaterial(Ogre::SceneManager& manager) {
-    return shadowRendererOf(manager).mShadowTextureCustomCasterPass != nullptr;
+/// The pass of the shadow caster material that a scene manager was given. Null where it has none
+/// that can be drawn.
+inline const Ogre::Pass* shadowCasterPassOf(Ogre::SceneManager& manager) {
+    return shadowRendererOf(manager).mShadowTextureCustomCasterPass;
 }
 
-/// Whether a scene manager was given a shadow receiver material that can be drawn.
-inline bool hasShadowReceiverMaterial(Ogre::SceneManager& manager) {
-    return shadowRendererOf(manager).mShadowTextureCustomReceiverPass != nullptr;
+/// The pass of the shadow receiver material that a scene manager was given. Null where it has none
+/// that can be drawn.
+inline const Ogre::Pass* shadowReceiverPassOf(Ogre::SceneManager& manager) {
+    return shadowRendererOf(manager).mShadowTextureCustomReceiverPass;
 }
 
 } // namespace Lixel

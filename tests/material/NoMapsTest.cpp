@@ -1,0 +1,116 @@
+// What the log says where Lixel's materials are drawn and no map of Lixel's ever is.
+
+#include "MaterialScene.h"
+
+#include <Lixel/material/ShadowMaterials.h>
+#include <Lixel/setup/ObservedShadowCameraSetup.h>
+
+#include <OgreShadowCameraSetupFocused.h>
+
+namespace Lixel::Tests {
+namespace {
+
+constexpr auto Additive = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE;
+constexpr auto Integrated = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED;
+const char* const NoSetup = "no light that casts shadows has a setup of Lixel's";
+const char* const NoTextures = "has no shadow textures";
+
+/// None of the lights has a setup.
+class SceneWithoutSetups : public MaterialScene {
+public:
+    SceneWithoutSetups(Ogre::ShadowTechnique technique, const std::string& receiver)
+        : MaterialScene(technique, receiver) {
+        for (Ogre::Light* light : lights)
+            light->setCustomShadowCameraSetup(nullptr);
+    }
+
+    /// Long enough for two looks.
+    void drawFor(int frames = 70) {
+        for (int i = 0; i < frames; ++i)
+            stage.drawFrame();
+    }
+};
+
+TEST(NoMaps, AreNamedWithTheSetupThatIsMissing) {
+    for (const auto& [technique, receiver, surface] :
+         {std::tuple(Additive, "Lixel/Receiver", "Lixel/Surface"),
+          std::tuple(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE, "Lixel/Receiver/Modulative",
+                     "Lixel/Surface"),
+          std::tuple(Integrated, "", "Lixel/Surface/Integrated")}) {
+        SceneWithoutSetups scene(technique, receiver);
+        LogCollector log;
+        scene.wear(surface);
+        scene.drawFor(3);
+        EXPECT_EQ(log.count("Lixel:"), 0U) << "a scene that is being made: " << log.all();
+        scene.drawFor();
+        EXPECT_EQ(log.count(NoSetup), 1U) << surface << ": " << log.all();
+        EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
+    }
+}
+
+TEST(NoMaps, AreNamedUnderOgresOwnSetups) {
+    SceneWithoutSetups scene(Additive, "Lixel/Receiver");
+    LogCollector log;
+    scene.stage.sceneManager().setShadowCameraSetup(Ogre::FocusedShadowCameraSetup::create());
+    scene.lights[0]->setCustomShadowCameraSetup(Ogre::DefaultShadowCameraSetup::create());
+    scene.drawFor();
+    EXPECT_EQ(log.count(NoSetup), 1U) << log.all();
+}
+
+TEST(NoMaps, AreNamedWithTheTexturesThatAreMissing) {
+    for (const auto& [technique, receiver, surface] :
+         {std::tuple(Additive, "Lixel/Receiver", "Lixel/Surface"),
+          std::tuple(Integrated, "", "Lixel/Surface/Integrated")}) {
+        MaterialScene scene(technique, receiver);
+        LogCollector log;
+        scene.stage.sceneManager().setShadowTextureCount(0);
+        scene.wear(surface);
+        for (int i = 0; i < 70; ++i)
+            scene.stage.drawFrame();
+        EXPECT_EQ(log.count(NoTextures), 1U) << surface << ": " << log.all();
+        EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
+    }
+}
+
+TEST(NoMaps, AreNoNewsWhereNoShadowsAreWanted) {
+    SceneWithoutSetups scene(Additive, "Lixel/Receiver");
+    LogCollector log;
+    scene.stage.sceneManager().setShadowTechnique(Ogre::SHADOWTYPE_NONE);
+    scene.drawFor();
+    EXPECT_EQ(log.count("Lixel:"), 0U) << "no technique: " << log.all();
+    scene.stage.sceneManager().setShadowTechnique(Additive);
+    scene.stage.window().getViewport(0)->setShadowsEnabled(false);
+    scene.drawFor();
+    EXPECT_EQ(log.count("Lixel:"), 0U) << "a viewport without: " << log.all();
+    scene.stage.window().getViewport(0)->setShadowsEnabled(true);
+    for (Ogre::Light* light : scene.lights)
+        light->setCastShadows(false);
+    scene.drawFor();
+    EXPECT_EQ(log.count("Lixel:"), 0U) << "no light casts any: " << log.all();
+    for (Ogre::Light* light : scene.lights)
+        light->setCastShadows(true);
+    scene.drawFor();
+    EXPECT_EQ(log.count(NoSetup), 1U) << log.all();
+}
+
+TEST(NoMaps, AreNoNewsOfSetupsThatAreObserved) {
+    SceneWithoutSetups scene(Additive, "Lixel/Receiver");
+    scene.stage.sceneManager().setShadowCameraSetup(
+        ObservedShadowCameraSetup::create(Ogre::DefaultShadowCameraSetup::create()));
+    LogCollector log;
+    scene.drawFor();
+    EXPECT_EQ(log.count(NoSetup), 0U) << log.all();
+}
+
+TEST(NoMaps, AreNoNewsOfForeignMaterials) {
+    SceneWithoutSetups scene(Integrated, "");
+    setShadowMaterials(scene.stage.sceneManager(), "", "Test/DepthCaster");
+    scene.stage.sceneManager().setShadowTextureSettings(256, 3, Ogre::PF_DEPTH16);
+    LogCollector log;
+    scene.wear("Test/Pssm");
+    scene.drawFor();
+    EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+}
+
+} // namespace
+} // namespace Lixel::Tests
