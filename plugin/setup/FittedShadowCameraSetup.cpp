@@ -7,6 +7,7 @@
 #include "scene/OgreVersions.h"
 #include "scene/SceneWatch.h"
 #include "scene/SurveyCache.h"
+#include "setup/InvalidInput.h"
 #include "setup/LightGuard.h"
 #include "setup/News.h"
 #include "setup/ShadowMapObserver.h"
@@ -80,12 +81,15 @@ enum Trouble : unsigned {
 };
 static_assert(static_cast<unsigned>(FitReason::TooFewMaps) < TooFewTextures);
 
-void logReason(const Ogre::Light& light, FitReason reason) {
+void logReason(const Ogre::Light& light, FitReason reason, const ShadowProblem& problem) {
     Ogre::String message = "no shadow map for light '" + light.getName() + "': " + toString(reason);
     if (reason == FitReason::TooFewMaps)
         message +=
             "; six are enough for any light (SceneManager::setShadowTextureCountPerLightType, "
             "an integrated shadow technique, and a material that reads as many)";
+    if (reason == FitReason::InvalidInput)
+        if (const std::string which = describeInvalidInput(problem); !which.empty())
+            message += ": " + which;
     logWarning(message);
 }
 
@@ -382,7 +386,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     // A light that happens to shadow nothing is no news; input that cannot be drawn is.
     if (result.reason >= FitReason::Unbounded &&
         news.isNew(static_cast<unsigned>(result.reason), frame))
-        logReason(*light, result.reason);
+        logReason(*light, result.reason, problem);
     if (!survey.unboundedName().empty() && result.hasMap() && news.isNew(BodyWithoutBounds, frame))
         logWarning("'" + survey.unboundedName() + "' has no bounds; the shadow map of light '" +
                    light->getName() + "' is focused as if it were everywhere in view");
