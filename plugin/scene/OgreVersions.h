@@ -103,9 +103,18 @@ inline void setOwnDirection(Ogre::Light& light, const Ogre::Vector3& direction) 
 
 #pragma GCC diagnostic pop
 
+/// Whether a light has a position and a direction: OGRE crashes on the others as soon as it asks.
+inline bool isPlaced(const Ogre::Light&) {
+    return true;
+}
+
 #else
 
 inline constexpr bool LightsHaveDirections = false;
+
+inline bool isPlaced(const Ogre::Light& light) {
+    return light.getParentNode() != nullptr;
+}
 
 /// The direction of a light's node, in the space of that node's parent.
 inline Ogre::Vector3 ownDirection(const Ogre::Light& light) {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <string>
 
 namespace Lixel {
 namespace {
@@ -20,11 +21,21 @@ bool isFinite(const Ogre::Vector3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool isUsable(const Ogre::Light& light) {
-    return (light.getType() == Ogre::Light::LT_POINT || isFinite(light.getDerivedDirection())) &&
-           (light.getType() == Ogre::Light::LT_DIRECTIONAL ||
-            isFinite(light.getDerivedPosition())) &&
-           canDrawShadowsOf(light);
+enum class Trouble { None, NotPlaced, NotFinite };
+
+Trouble troubleOf(const Ogre::Light& light) {
+    if (!isPlaced(light)) return Trouble::NotPlaced;
+    const bool finite =
+        (light.getType() == Ogre::Light::LT_POINT || isFinite(light.getDerivedDirection())) &&
+        (light.getType() == Ogre::Light::LT_DIRECTIONAL || isFinite(light.getDerivedPosition())) &&
+        canDrawShadowsOf(light);
+    return finite ? Trouble::None : Trouble::NotFinite;
+}
+
+const char* toString(Trouble trouble) {
+    return trouble == Trouble::NotPlaced
+               ? "is attached to no scene node"
+               : "has a direction, position, angle or shadow distance that is not finite";
 }
 
 /// Calls `visit` with each of a scene manager's lights.
@@ -53,8 +64,9 @@ public:
         forLights(*source, [&](Ogre::Light& light) {
             // Until OGRE tells it this frame's, a light may be relative to a camera that has gone.
             light._setCameraRelative(nullptr);
-            if (!isUsable(light))
-                hide(light);
+            const Trouble trouble = troubleOf(light);
+            if (trouble != Trouble::None)
+                hide(light, trouble);
             else if (!mGuarded.empty())
                 show(light);
             // OGRE 1.12 derives anew where a light is relative to the camera only after it moved.
@@ -71,20 +83,21 @@ public:
         forLights(sceneManager, [this](Ogre::Light& light) {
             const auto found = mGuarded.find(identityOf(light));
             if (found == mGuarded.end() || !found->second.hidden) return;
-            if (isUsable(light)) return show(light);
+            const Trouble trouble = troubleOf(light);
+            if (trouble == Trouble::None) return show(light);
             log(light,
-                "still has a direction, position, angle or shadow distance that is not finite: "
-                "it stays without visibility flags, and nobody will put them on again");
+                std::string("still ") + toString(trouble) +
+                    ": it stays without visibility flags, and nobody will put them on again");
         });
     }
 
 private:
-    static void log(const Ogre::Light& light, const char* what) {
+    static void log(const Ogre::Light& light, const std::string& what) {
         Ogre::LogManager::getSingleton().logWarning("Lixel: light '" + light.getName() + "' " +
                                                     what);
     }
 
-    void hide(Ogre::Light& light) {
+    void hide(Ogre::Light& light, Trouble trouble) {
         const Identity identity = identityOf(light);
         const bool mayShine = light.getVisible() && light.getVisibilityFlags() != 0;
         if (!mayShine && !mGuarded.contains(identity)) return;
@@ -95,9 +108,10 @@ private:
         if (light.getVisibilityFlags() != 0) guarded.flags = light.getVisibilityFlags();
         light.setVisibilityFlags(0);
         guarded.hidden = true;
-        if (guarded.news.isNew(0, Ogre::Root::getSingleton().getNextFrameNumber()))
-            log(light, "has a direction, position, angle or shadow distance that is not finite; it "
-                       "neither shines nor casts shadows until it has");
+        if (guarded.news.isNew(static_cast<unsigned>(trouble),
+                               Ogre::Root::getSingleton().getNextFrameNumber()))
+            log(light, std::string(toString(trouble)) +
+                           "; it neither shines nor casts shadows until that is mended");
     }
 
     void show(Ogre::Light& light) {

@@ -12,8 +12,9 @@ namespace Lixel {
 
     OGRE turns a shadow camera towards the light before it asks any ShadowCameraSetup, and that
     asserts on NaN. So before each scene is drawn the guard looks for visible lights whose direction
-    or position is not finite, or since OGRE 13.6 whose angle or shadow distance is not, takes all
-    their visibility flags off, which hides them, says so in the log (@see News.h how often), and
+    or position is not finite, or since OGRE 13.6 whose angle or shadow distance is not, and for
+    those that have neither, as lights without a node since OGRE 13, takes all their visibility
+    flags off, which hides them, says so in the log (@see News.h how often), and
     puts the flags on again when they are good again.
 
     Light::setVisible stays the user's: a light that was hidden or shown while it was guarded is

@@ -3,6 +3,8 @@
 #include "SpoiltLight.h"
 #include "TestStage.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <functional>
 #include <limits>
 
@@ -122,6 +124,17 @@ TEST_F(LightGuarded, LeavesANewLightOfTheSameNameAlone) {
     SpoiltLight(*lamp).spoil();
     draw();
     EXPECT_EQ(log.count("not finite"), 2U) << "another light, another line";
+}
+
+/// Lights without a node have no place since OGRE 13, which crashes on them.
+TEST_F(LightGuarded, MayLeaveItsNode) {
+    Ogre::SceneNode& node = *light.getParentSceneNode();
+    light.detachFromParent();
+    draw();
+    EXPECT_EQ(log.count("is attached to no scene node"), LightsHaveDirections ? 0U : 1U);
+    node.attachObject(&light);
+    EXPECT_LT(scene.visibilityAt(InShadow), 128);
+    EXPECT_TRUE(shines());
 }
 
 TEST_F(LightGuarded, SaysSoOnceThoughItFlickers) {

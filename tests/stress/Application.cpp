@@ -313,7 +313,7 @@ void Application::followMeshes() {
 void Application::mendLights() {
     for (const auto& world : worlds)
         for (const Lamp& lamp : world->lamps)
-            if (lamp.light->getDerivedDirection().isNaN())
+            if (isPlaced(*lamp.light) && lamp.light->getDerivedDirection().isNaN())
                 setOwnDirection(*lamp.light, Ogre::Vector3::NEGATIVE_UNIT_Z);
 }
 

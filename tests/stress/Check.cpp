@@ -3,6 +3,8 @@
 #include "common/OracleView.h"
 #include "common/TruthComparison.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
@@ -257,6 +259,7 @@ private:
 
     std::string judge(const Lamp& lamp) {
         const Ogre::Light& light = *lamp.light;
+        if (!isPlaced(light)) return {};
         if (!isFinite(light.getDerivedDirection()) || !isFinite(light.getDerivedPosition()))
             return {};
         const Expected expectation = expected(mApplication, mWorld, lamp, mViewport);
