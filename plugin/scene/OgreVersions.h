@@ -154,13 +154,14 @@ inline bool ogreClampsDepth([[maybe_unused]] const Ogre::Light& light) {
 }
 
 /// Whether OGRE can draw a light's shadows, if it casts any. Since 13.6 it sets a camera of its own
-/// up from the light, to cull with, and asserts on what is not finite, whatever setup the light has.
+/// up from the light, to cull with, and asserts on what is not finite, and on a negative distance,
+/// whatever setup the light has.
 inline bool canDrawShadowsOf([[maybe_unused]] const Ogre::Light& light) {
 #if OGRE_MIN_VERSION(13, 6, 0)
     const bool hasAngle =
         light.getType() != Ogre::Light::LT_DIRECTIONAL && light.getType() != Ogre::Light::LT_POINT;
     return !light.getCastShadows() ||
-           (std::isfinite(light.getShadowFarDistance()) &&
+           (std::isfinite(light.getShadowFarDistance()) && light.getShadowFarDistance() >= 0 &&
             std::isfinite(light.getShadowNearClipDistance()) &&
             std::isfinite(light._deriveShadowFarClipDistance()) &&
             (!hasAngle || std::isfinite(light.getSpotlightOuterAngle().valueRadians())));

@@ -21,6 +21,12 @@ bool isFinite(const Ogre::Vector3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// Until OGRE tells it this frame's, a light may be relative to a camera that has gone, which it
+/// reads as soon as it is asked for its direction or position.
+void letGoOfCamera(Ogre::Light& light) {
+    light._setCameraRelative(nullptr);
+}
+
 enum class Trouble { None, NotPlaced, NotFinite };
 
 Trouble troubleOf(const Ogre::Light& light) {
@@ -35,7 +41,8 @@ Trouble troubleOf(const Ogre::Light& light) {
 const char* toString(Trouble trouble) {
     return trouble == Trouble::NotPlaced
                ? "is attached to no scene node"
-               : "has a direction, position, angle or shadow distance that is not finite";
+               : "has a direction, position, angle or shadow distance that is not finite, or a "
+                 "negative distance";
 }
 
 /// Calls `visit` with each of a scene manager's lights.
@@ -62,8 +69,7 @@ public:
         if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
         ++mRound;
         forLights(*source, [&](Ogre::Light& light) {
-            // Until OGRE tells it this frame's, a light may be relative to a camera that has gone.
-            light._setCameraRelative(nullptr);
+            letGoOfCamera(light);
             const Trouble trouble = troubleOf(light);
             if (trouble != Trouble::None)
                 hide(light, trouble);
@@ -83,6 +89,7 @@ public:
         forLights(sceneManager, [this](Ogre::Light& light) {
             const auto found = mGuarded.find(identityOf(light));
             if (found == mGuarded.end() || !found->second.hidden) return;
+            letGoOfCamera(light);
             const Trouble trouble = troubleOf(light);
             if (trouble == Trouble::None) return show(light);
             log(light,

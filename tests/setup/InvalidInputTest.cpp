@@ -2,6 +2,8 @@
 
 #include "TestStage.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <functional>
 
 namespace Lixel::Tests {
@@ -28,10 +30,15 @@ TEST_P(InvalidInput, IsNamedOnce) {
     GetParam().spoil(scene.stage.sceneManager(), scene.stage.light());
     for (int i = 0; i < 3; ++i)
         scene.stage.drawFrame();
-    EXPECT_EQ(log.count("no shadow map for light 'Light': invalid input: " +
-                        std::string(GetParam().said)),
-              1U)
-        << log.all();
+    // Since 13.6 OGRE ends on negative distances before it asks any setup; the guard names those.
+    const bool guarded = log.count("or a negative distance; it neither shines") != 0;
+    EXPECT_EQ(guarded, !canDrawShadowsOf(scene.stage.light()));
+    if (!guarded) {
+        EXPECT_EQ(log.count("no shadow map for light 'Light': invalid input: " +
+                            std::string(GetParam().said)),
+                  1U)
+            << log.all();
+    }
     EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
 }
 

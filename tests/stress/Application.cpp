@@ -312,9 +312,13 @@ void Application::followMeshes() {
 
 void Application::mendLights() {
     for (const auto& world : worlds)
-        for (const Lamp& lamp : world->lamps)
-            if (isPlaced(*lamp.light) && lamp.light->getDerivedDirection().isNaN())
+        for (const Lamp& lamp : world->lamps) {
+            if (!isPlaced(*lamp.light)) continue;
+            // It may be relative to a camera that has gone.
+            lamp.light->_setCameraRelative(nullptr);
+            if (lamp.light->getDerivedDirection().isNaN())
                 setOwnDirection(*lamp.light, Ogre::Vector3::NEGATIVE_UNIT_Z);
+        }
 }
 
 void Application::loadPlugin(bool load) {
