@@ -58,28 +58,34 @@ Vec2 depthRow(bool directional, double lsNear, double lsFar, double leastDenomin
 
 } // namespace
 
-bool isValid(const ShadowProblem& problem) {
+InvalidInput invalidInputOf(const ShadowProblem& problem) {
     const ShadowLight& light = problem.light;
     const ShadowViewer& viewer = problem.viewer;
-    if (problem.casters == nullptr || problem.receivers == nullptr) return false;
-    if (problem.mapWidth < 1 || problem.mapHeight < 1) return false;
-    if (!(problem.filterRadius >= 0.0)) return false;
+    if (problem.casters == nullptr || problem.receivers == nullptr) return InvalidInput::Bodies;
+    if (problem.mapWidth < 1 || problem.mapHeight < 1 || !(problem.filterRadius >= 0.0))
+        return InvalidInput::Map;
     if (2.0 * (leastBorder(problem.filterRadius) + GreatestBorderRounding) >=
         std::min(problem.mapWidth, problem.mapHeight))
-        return false;
-    if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return false;
-    if (!(viewer.shadowDistance >= 0.0)) return false;
-    if (!isRigid(viewer.viewFromWorld) || !invertible(viewer.clipFromView)) return false;
-    if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0)) return false;
+        return InvalidInput::Map;
+    if (!(viewer.shadowDistance >= 0.0)) return InvalidInput::ShadowDistance;
+    if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0))
+        return InvalidInput::LightDirection;
     if (light.kind != LightKind::Directional) {
-        if (!light.wsPosition.allFinite()) return false;
-        if (light.wsPosition.cwiseAbs().maxCoeff() > GreatestExtent) return false;
-        if (!(light.nearDistance > 0.0) || !(light.nearDistance <= GreatestExtent)) return false;
-        if (!(light.range > light.nearDistance)) return false;
+        if (!light.wsPosition.allFinite() ||
+            light.wsPosition.cwiseAbs().maxCoeff() > GreatestExtent)
+            return InvalidInput::LightPosition;
+        if (!(light.nearDistance > 0.0) || !(light.nearDistance <= GreatestExtent))
+            return InvalidInput::NearDistance;
+        if (!(light.range > light.nearDistance)) return InvalidInput::Range;
         if (!(light.outerHalfAngle > 0.0) || !(light.outerHalfAngle < std::numbers::pi))
-            return false;
+            return InvalidInput::Angle;
     }
-    return problem.casters->invalid() == 0 && problem.receivers->invalid() == 0;
+    if (problem.casters->invalid() != 0) return InvalidInput::CasterBox;
+    if (problem.receivers->invalid() != 0) return InvalidInput::ReceiverBox;
+    if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return InvalidInput::View;
+    if (!isRigid(viewer.viewFromWorld) || !invertible(viewer.clipFromView))
+        return InvalidInput::View;
+    return InvalidInput::None;
 }
 
 ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,

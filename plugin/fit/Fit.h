@@ -58,8 +58,28 @@ private:
     WarpChoice (*mCall)(const void*, const WarpContext&);
 };
 
-/// Whether every number that a fit depends on is usable.
-bool isValid(const ShadowProblem& problem);
+/// What a fit depends on and cannot use.
+enum class InvalidInput {
+    None,
+    Bodies, ///< there are no sets of casters and receivers
+    Map,    ///< it has no room for anything beside its border
+    ShadowDistance,
+    LightDirection,
+    LightPosition,
+    NearDistance,
+    Range,
+    Angle,
+    CasterBox,
+    ReceiverBox,
+    View ///< matrices that are not finite, not rigid, or without an inverse
+};
+
+/// The first that is found; None where every number that a fit depends on is usable.
+InvalidInput invalidInputOf(const ShadowProblem& problem);
+
+inline bool isValid(const ShadowProblem& problem) {
+    return invalidInputOf(problem) == InvalidInput::None;
+}
 
 /// Runs the shared fit around a rule. Never throws; bad input gives a fit without a map.
 ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state, const WarpRule& rule) noexcept;

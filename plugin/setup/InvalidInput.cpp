@@ -6,9 +6,7 @@
 #include <OgreMath.h>
 #include <OgreStringConverter.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace Lixel {
 namespace {
@@ -17,9 +15,14 @@ std::string number(double value) {
     return Ogre::StringConverter::toString(static_cast<Ogre::Real>(value));
 }
 
+InvalidInput inputOf(ShadowProblem problem) {
+    // A point light's maps have angles of their own.
+    if (problem.light.kind == LightKind::Point) problem.light.outerHalfAngle = 1.0;
+    return invalidInputOf(problem);
+}
+
 std::string describeMap(const ShadowProblem& problem) {
     const double borders = 2.0 * (leastBorder(problem.filterRadius) + GreatestBorderRounding);
-    if (borders < std::min(problem.mapWidth, problem.mapHeight)) return {};
     return "the shadow texture is " + std::to_string(problem.mapWidth) + " x " +
            std::to_string(problem.mapHeight) +
            " pixels, and the border of a map with a filter radius of " +
@@ -27,47 +30,45 @@ std::string describeMap(const ShadowProblem& problem) {
            " (SceneManager::setShadowTextureSize, setFilterRadius)";
 }
 
-std::string describeLight(const ShadowLight& light) {
-    if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0))
+} // namespace
+
+std::string describeInvalidInput(const ShadowProblem& problem) {
+    const ShadowLight& light = problem.light;
+    switch (inputOf(problem)) {
+    case InvalidInput::Map:
+        return describeMap(problem);
+    case InvalidInput::ShadowDistance:
+        return "its shadow distance is " + number(problem.viewer.shadowDistance) +
+               " (Light::setShadowFarDistance, SceneManager::setShadowFarDistance)";
+    case InvalidInput::LightDirection:
         return "its direction is zero or not finite";
-    if (light.kind == LightKind::Directional) return {};
-    if (!light.wsPosition.allFinite() || light.wsPosition.cwiseAbs().maxCoeff() > GreatestExtent)
+    case InvalidInput::LightPosition:
         return "its position is not finite, or farther than " + number(GreatestExtent);
-    if (!(light.nearDistance > 0.0) || !(light.nearDistance <= GreatestExtent))
+    case InvalidInput::NearDistance:
         return "its shadows begin at " + number(light.nearDistance) +
                ", which has to be positive (Light::setShadowNearClipDistance, else the viewer's "
                "near plane)";
-    if (!(light.range > light.nearDistance))
+    case InvalidInput::Range:
         return "its range is " + number(light.range) + ", and its shadows begin at " +
                number(light.nearDistance) +
                " (Light::setAttenuation; Light::setShadowNearClipDistance, else the viewer's near "
                "plane)";
-    if (light.kind == LightKind::Point) return {}; // its maps have angles of their own
-    if (!(light.outerHalfAngle > 0.0) || !(light.outerHalfAngle < std::numbers::pi))
+    case InvalidInput::Angle:
         return "its outer angle is " +
                number(static_cast<double>(Ogre::Math::RadiansToDegrees(
                    static_cast<Ogre::Real>(2.0 * light.outerHalfAngle)))) +
                " degrees (Light::setSpotlightOuterAngle)";
-    return {};
-}
-
-} // namespace
-
-std::string describeInvalidInput(const ShadowProblem& problem) {
-    if (std::string map = describeMap(problem); !map.empty()) return map;
-    if (!(problem.viewer.shadowDistance >= 0.0))
-        return "its shadow distance is " + number(problem.viewer.shadowDistance) +
-               " (Light::setShadowFarDistance, SceneManager::setShadowFarDistance)";
-    if (std::string light = describeLight(problem.light); !light.empty()) return light;
-    if (problem.casters != nullptr && problem.casters->invalid() != 0)
+    case InvalidInput::CasterBox:
         return "the bounding box of something that casts shadows is not a number";
-    if (problem.receivers != nullptr && problem.receivers->invalid() != 0)
+    case InvalidInput::ReceiverBox:
         return "the bounding box of something that receives shadows is not a number";
-    ShadowProblem known = problem;
-    if (known.light.kind == LightKind::Point) known.light.outerHalfAngle = 1.0;
-    if (!isValid(known))
+    case InvalidInput::View:
         return "the viewer's view matrix scales, shears or is not finite, or its projection has no "
                "inverse";
+    case InvalidInput::None:
+    case InvalidInput::Bodies: // setups always have them
+        break;
+    }
     return {};
 }
 
