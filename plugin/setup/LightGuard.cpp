@@ -21,16 +21,13 @@ bool isFinite(const Ogre::Vector3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Until OGRE tells it this frame's, a light may be relative to a camera that has gone, which it
-/// reads as soon as it is asked for its direction or position.
-void letGoOfCamera(Ogre::Light& light) {
-    light._setCameraRelative(nullptr);
-}
-
 enum class Trouble { None, NotPlaced, NotFinite };
 
-Trouble troubleOf(const Ogre::Light& light) {
+/// Leaves the light relative to no camera, until OGRE tells it this frame's.
+Trouble troubleOf(Ogre::Light& light) {
     if (!isPlaced(light)) return Trouble::NotPlaced;
+    // It may be relative to one that has gone, which it reads when it is asked where it is.
+    light._setCameraRelative(nullptr);
     const bool finite =
         (light.getType() == Ogre::Light::LT_POINT || isFinite(light.getDerivedDirection())) &&
         (light.getType() == Ogre::Light::LT_DIRECTIONAL || isFinite(light.getDerivedPosition())) &&
@@ -69,7 +66,6 @@ public:
         if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
         ++mRound;
         forLights(*source, [&](Ogre::Light& light) {
-            letGoOfCamera(light);
             const Trouble trouble = troubleOf(light);
             if (trouble != Trouble::None)
                 hide(light, trouble);
@@ -89,7 +85,6 @@ public:
         forLights(sceneManager, [this](Ogre::Light& light) {
             const auto found = mGuarded.find(identityOf(light));
             if (found == mGuarded.end() || !found->second.hidden) return;
-            letGoOfCamera(light);
             const Trouble trouble = troubleOf(light);
             if (trouble == Trouble::None) return show(light);
             log(light,
