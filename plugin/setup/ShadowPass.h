@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fit/Types.h"
+
 namespace Ogre {
 class Camera;
 class Frustum;
@@ -25,6 +27,6 @@ void skipShadowPass(Ogre::Camera& shadowCamera);
 void forgetShadowPasses();
 
 /// Whether the render system clamps depth.
-bool canClampDepth();
+LIXEL_API bool canClampDepth();
 
 } // namespace Lixel

@@ -1,6 +1,7 @@
 #include "common/MapCapture.h"
 
 #include <Lixel/scene/OgreVersions.h>
+#include <Lixel/setup/ShadowPass.h>
 
 #include <OgreCamera.h>
 #include <OgreRenderSystem.h>
@@ -64,9 +65,7 @@ std::vector<EmulatedMap> MapCapture::capture(const NamedSetup& setup, int mapSiz
     const Ogre::ShadowCameraSetupPtr instance = setup.create();
     const bool fitted = dynamic_cast<FittedShadowCameraSetup*>(instance.get()) != nullptr;
     // Lixel's setups clamp where the render system can.
-    mClampsDepth =
-        (fitted || ogreClampsDepth(mStage.light())) &&
-        mStage.root().getRenderSystem()->getCapabilities()->hasCapability(Ogre::RSC_DEPTH_CLAMP);
+    mClampsDepth = (fitted || ogreClampsDepth(mStage.light())) && canClampDepth();
     setMaps(mapSize, setup.maps);
     mStage.setShadowSetup(instance);
     const int frames = fitted ? 1 : SettlingFrames;

@@ -4,6 +4,7 @@
 
 #include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
+#include <Lixel/setup/ShadowPass.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
 #include <fmt/core.h>
@@ -120,9 +121,7 @@ CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
     MapProbe probe(scene, lixels);
     MapUse use;
     // Lixel's setups clamp where the render system can.
-    use.clampsDepth =
-        (lixels || ogreClampsDepth(*scene.light)) &&
-        stage.root().getRenderSystem()->getCapabilities()->hasCapability(Ogre::RSC_DEPTH_CLAMP);
+    use.clampsDepth = (lixels || ogreClampsDepth(*scene.light)) && canClampDepth();
     use.greatestApart = lixels ? LixelsApart : OgresApart;
     drawCase(scene, hardCase, [&] { probe.maps.clear(); });
     return judgeFrame(scene, probe.maps, use);
