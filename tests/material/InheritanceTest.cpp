@@ -1,6 +1,6 @@
 // Materials that inherit Lixel's: the child's programs win, wherever in the pass they are written.
 
-#include "TestStage.h"
+#include "MaterialScene.h"
 
 #include <algorithm>
 #include <array>
@@ -12,21 +12,15 @@ constexpr const char* Vertex = "vertex_program_ref Test/VP\n{\n}\n";
 constexpr const char* Fragment = "fragment_program_ref Test/LightFP\n{\n}\n";
 constexpr const char* Unit = "texture_unit DiffuseMap\n{\ntexture Any.png\n}\n";
 
+void parse(const std::string& script) {
+    Ogre::DataStreamPtr stream = std::make_shared<Ogre::MemoryDataStream>(
+        "Inheritance.material", const_cast<char*>(script.data()), script.size(), false, true);
+    Ogre::MaterialManager::getSingleton().parseScript(stream, Ogre::RGN_DEFAULT);
+}
+
 class Inheritance : public testing::TestWithParam<const char*> {
 protected:
-    Inheritance() {
-        auto& groups = Ogre::ResourceGroupManager::getSingleton();
-        groups.addResourceLocation(LIXEL_TEST_MEDIA, "FileSystem", Ogre::RGN_DEFAULT);
-        parse(groups.openResource("TestReceivers.program", Ogre::RGN_DEFAULT)->getAsString());
-    }
-
-    static void parse(const std::string& script) {
-        Ogre::DataStreamPtr stream = std::make_shared<Ogre::MemoryDataStream>(
-            "Inheritance.material", const_cast<char*>(script.data()), script.size(), false, true);
-        Ogre::MaterialManager::getSingleton().parseScript(stream, Ogre::RGN_DEFAULT);
-    }
-
-    BoxOnGround scene;
+    MaterialScene scene{Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, ""};
 };
 
 TEST_P(Inheritance, OwnProgramsWinInAnyOrder) {

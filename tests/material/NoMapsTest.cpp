@@ -15,6 +15,14 @@ constexpr auto Integrated = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED;
 const char* const NoSetup = "no light that casts shadows has a setup of Lixel's";
 const char* const NoTextures = "has no shadow textures";
 
+/// Long enough for two looks.
+constexpr int TwoLooks = 70;
+
+void drawFor(MaterialScene& scene, int frames = TwoLooks) {
+    for (int i = 0; i < frames; ++i)
+        scene.stage.drawFrame();
+}
+
 /// None of the lights has a setup.
 class SceneWithoutSetups : public MaterialScene {
 public:
@@ -22,12 +30,6 @@ public:
         : MaterialScene(technique, receiver) {
         for (Ogre::Light* light : lights)
             light->setCustomShadowCameraSetup(nullptr);
-    }
-
-    /// Long enough for two looks.
-    void drawFor(int frames = 70) {
-        for (int i = 0; i < frames; ++i)
-            stage.drawFrame();
     }
 };
 
@@ -40,9 +42,9 @@ TEST(NoMaps, AreNamedWithTheSetupThatIsMissing) {
         SceneWithoutSetups scene(technique, receiver);
         LogCollector log;
         scene.wear(surface);
-        scene.drawFor(3);
+        drawFor(scene, 3);
         EXPECT_EQ(log.count("Lixel:"), 0U) << "a scene that is being made: " << log.all();
-        scene.drawFor();
+        drawFor(scene);
         EXPECT_EQ(log.count(NoSetup), 1U) << surface << ": " << log.all();
         EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
     }
@@ -53,7 +55,7 @@ TEST(NoMaps, AreNamedUnderOgresOwnSetups) {
     LogCollector log;
     scene.stage.sceneManager().setShadowCameraSetup(Ogre::FocusedShadowCameraSetup::create());
     scene.lights[0]->setCustomShadowCameraSetup(Ogre::DefaultShadowCameraSetup::create());
-    scene.drawFor();
+    drawFor(scene);
     EXPECT_EQ(log.count(NoSetup), 1U) << log.all();
 }
 
@@ -65,8 +67,7 @@ TEST(NoMaps, AreNamedWithTheTexturesThatAreMissing) {
         LogCollector log;
         scene.stage.sceneManager().setShadowTextureCount(0);
         scene.wear(surface);
-        for (int i = 0; i < 70; ++i)
-            scene.stage.drawFrame();
+        drawFor(scene);
         EXPECT_EQ(log.count(NoTextures), 1U) << surface << ": " << log.all();
         EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
     }
@@ -76,20 +77,20 @@ TEST(NoMaps, AreNoNewsWhereNoShadowsAreWanted) {
     SceneWithoutSetups scene(Additive, "Lixel/Receiver");
     LogCollector log;
     scene.stage.sceneManager().setShadowTechnique(Ogre::SHADOWTYPE_NONE);
-    scene.drawFor();
+    drawFor(scene);
     EXPECT_EQ(log.count("Lixel:"), 0U) << "no technique: " << log.all();
     scene.stage.sceneManager().setShadowTechnique(Additive);
     scene.stage.window().getViewport(0)->setShadowsEnabled(false);
-    scene.drawFor();
+    drawFor(scene);
     EXPECT_EQ(log.count("Lixel:"), 0U) << "a viewport without: " << log.all();
     scene.stage.window().getViewport(0)->setShadowsEnabled(true);
     for (Ogre::Light* light : scene.lights)
         light->setCastShadows(false);
-    scene.drawFor();
+    drawFor(scene);
     EXPECT_EQ(log.count("Lixel:"), 0U) << "no light casts any: " << log.all();
     for (Ogre::Light* light : scene.lights)
         light->setCastShadows(true);
-    scene.drawFor();
+    drawFor(scene);
     EXPECT_EQ(log.count(NoSetup), 1U) << log.all();
 }
 
@@ -98,7 +99,7 @@ TEST(NoMaps, AreNoNewsOfSetupsThatAreObserved) {
     scene.stage.sceneManager().setShadowCameraSetup(
         ObservedShadowCameraSetup::create(Ogre::DefaultShadowCameraSetup::create()));
     LogCollector log;
-    scene.drawFor();
+    drawFor(scene);
     EXPECT_EQ(log.count(NoSetup), 0U) << log.all();
 }
 
@@ -108,7 +109,7 @@ TEST(NoMaps, AreNoNewsOfForeignMaterials) {
     scene.stage.sceneManager().setShadowTextureSettings(256, 3, Ogre::PF_DEPTH16);
     LogCollector log;
     scene.wear("Test/Pssm");
-    scene.drawFor();
+    drawFor(scene);
     EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
 }
 

@@ -22,7 +22,7 @@ protected:
         return scene.stage.picture();
     }
 
-    /// Both ways of drawing are one picture, but for rounding.
+    /// Camera-relative rendering draws the same picture, up to rounding.
     void expectSamePicture() {
         const std::vector<std::uint8_t> relative = pictureWith(true);
         const std::vector<std::uint8_t> absolute = pictureWith(false);

@@ -275,13 +275,17 @@ private:
         return judgeAgain(lamp, truth, losses);
     }
 
-    /// Whether a caster's faces that are drawn into maps block the light; what the light sees
-    /// from behind shows this ray its front. Backs alone let light
-    /// into closed bodies, which a viewer within one sees.
+    /// From a point to the light; far beyond the scene for a sun.
+    static Eigen::Vector3d wayToLight(const SurfacePoint& point, const OracleLight& light) {
+        if (light.kind == OracleLight::Kind::Directional) return -1e4 * light.direction;
+        return light.position - point.position;
+    }
+
+    /// Whether the faces of casters that OGRE draws into maps block the light. The ray goes towards
+    /// the light, so it meets from the front what the light sees from behind. Where backs alone are
+    /// drawn, light gets into a closed body, and a viewer in there sees it.
     bool isBlocked(const SurfacePoint& point, const OracleLight& light) const {
-        const bool directional = light.kind == OracleLight::Kind::Directional;
-        const Eigen::Vector3d way = directional ? Eigen::Vector3d(-1e4 * light.direction)
-                                                : Eigen::Vector3d(light.position - point.position);
+        const Eigen::Vector3d way = wayToLight(point, light);
         const CasterRay ray{point.position + mOracle.rayOffset() * point.normal, way.normalized(),
                             way.norm()};
         double distance = 0.0;
@@ -295,11 +299,8 @@ private:
     /// Modulative receivers fade where the light comes in low; the others need no limit.
     bool isFaded(const SurfacePoint& point, const OracleLight& light) const {
         constexpr double FadeBelow = 0.12; // 0.1 in the program
-        const bool directional = light.kind == OracleLight::Kind::Directional;
-        const Eigen::Vector3d way = directional ? Eigen::Vector3d(-light.direction)
-                                                : Eigen::Vector3d(light.position - point.position);
         return mWorld.technique == Ogre::SHADOWTYPE_TEXTURE_MODULATIVE &&
-               point.normal.dot(way.normalized()) < FadeBelow;
+               point.normal.dot(wayToLight(point, light).normalized()) < FadeBelow;
     }
 
     Losses compare(const ShadowTruth& truth, const Lamp& lamp, Expected expectation) const {

@@ -38,7 +38,7 @@ std::string setTechnique(Application& application, World& world, Random& random)
                    Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
                    Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
                    Ogre::SHADOWTYPE_TEXTURE_MODULATIVE, Ogre::SHADOWTYPE_NONE});
-    // OGRE's stencil shadows fail on buffers of length 0 when they are drawn.
+    // Stencil techniques come and go undrawn: OGRE's GL3+ throws on their buffers of length 0.
     for (const auto stencil :
          {Ogre::SHADOWTYPE_STENCIL_ADDITIVE, Ogre::SHADOWTYPE_STENCIL_MODULATIVE})
         if (random.oneIn(3)) application.setTechnique(world, stencil);
