@@ -14,18 +14,32 @@
 namespace Lixel {
 namespace {
 
-bool canDraw(const char* material, const std::string& scheme) {
+/// A material as OGRE's own shadow materials are: without programs. Not one of those themselves:
+/// the shader system would copy it as it is now, and OGRE blackens its receiver's ambient colour
+/// only when it first draws with it.
+Ogre::MaterialPtr plainMaterial() {
+    static const char* const Name = "Lixel/WithoutPrograms";
+    auto& materials = Ogre::MaterialManager::getSingleton();
+    if (Ogre::MaterialPtr known = materials.getByName(Name, Ogre::RGN_INTERNAL)) return known;
+    Ogre::MaterialPtr made = materials.create(Name, Ogre::RGN_INTERNAL);
+    made->setReceiveShadows(false);
+    made->setLightingEnabled(false);
+    return made;
+}
+
+/// Whether materials without programs can be drawn: by a fixed function, or by programs that the
+/// shader system makes for the scheme.
+bool drawsWithoutPrograms(const std::string& scheme) {
     if (Ogre::Root::getSingleton().getRenderSystem()->getCapabilities()->hasCapability(
             Ogre::RSC_FIXED_FUNCTION))
         return true;
     auto& materials = Ogre::MaterialManager::getSingleton();
-    const Ogre::MaterialPtr found = materials.getByName(material, Ogre::RGN_INTERNAL);
-    if (!found) return true;
+    const Ogre::MaterialPtr plain = plainMaterial();
     // OGRE activates the viewport's scheme when it draws, which is later.
     const Ogre::String active = materials.getActiveScheme();
     materials.setActiveScheme(scheme);
-    found->load();
-    const Ogre::Technique* const technique = found->getBestTechnique();
+    plain->load();
+    const Ogre::Technique* const technique = plain->getBestTechnique();
     materials.setActiveScheme(active);
     return technique != nullptr && technique->getPass(0)->hasVertexProgram();
 }
@@ -34,14 +48,17 @@ bool canDraw(const char* material, const std::string& scheme) {
 
 std::vector<std::string> findMissingMaterials(Ogre::SceneManager& manager,
                                               const std::string& scheme) {
+    const bool lacksCaster = shadowCasterPassOf(manager) == nullptr;
+    const bool lacksReceiver =
+        !manager.isShadowTechniqueIntegrated() && shadowReceiverPassOf(manager) == nullptr;
     std::vector<std::string> missing;
-    if (shadowCasterPassOf(manager) == nullptr && !canDraw("Ogre/TextureShadowCaster", scheme))
+    if ((!lacksCaster && !lacksReceiver) || drawsWithoutPrograms(scheme)) return missing;
+    if (lacksCaster)
         missing.push_back("scene manager '" + manager.getName() +
                           "' has no shadow caster material, and OGRE's own cannot be drawn here: "
                           "give setShadowTextureCasterMaterial 'Lixel/Caster'. A name that no "
                           "material has is none, and so is one whose programs do not compile");
-    if (!manager.isShadowTechniqueIntegrated() && shadowReceiverPassOf(manager) == nullptr &&
-        !canDraw("Ogre/TextureShadowReceiver", scheme))
+    if (lacksReceiver)
         missing.push_back(
             "scene manager '" + manager.getName() +
             "' has no shadow receiver material, and OGRE's own cannot be drawn here: "

@@ -54,6 +54,21 @@ public:
         return nullptr;
     }
 
+    /// Passes that OGRE splits for additive shadows, which have to be given programs too.
+    bool afterIlluminationPassesCreated(Ogre::Technique* technique) override {
+        if (technique->getSchemeName() != Scheme) return false;
+        const Ogre::Material* const material = technique->getParent();
+        return ShaderGenerator::getSingleton().validateMaterialIlluminationPasses(
+            Scheme, material->getName(), material->getGroup());
+    }
+    bool beforeIlluminationPassesCleared(Ogre::Technique* technique) override {
+        if (technique->getSchemeName() != Scheme) return false;
+        const Ogre::Material* const material = technique->getParent();
+        ShaderGenerator::getSingleton().invalidateMaterialIlluminationPasses(
+            Scheme, material->getName(), material->getGroup());
+        return true;
+    }
+
     /// OGRE's own sub-render state for three slices of a sun.
     static void usePssm(const std::vector<Ogre::Real>& splits) {
         ShaderGenerator& generator = ShaderGenerator::getSingleton();
@@ -110,6 +125,37 @@ TEST(ForeignMaterials, OfTheShaderSystemReadCascades) {
     const std::vector<int> theirs = darkness(scene);
     scene.keepPicture("foreign-shader-system-pssm");
     EXPECT_LT(differing(own, theirs), 0.3);
+    EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+}
+
+/// OGRE takes the ambient light out of its receiver before it first draws with it, and the shader
+/// system copies the receiver as it is at its first sight of it.
+TEST(ForeignMaterials, OfOgreItselfReceiveAdditiveShadowsUnderAmbientLight) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "");
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    Ogre::Light& sun = *scene.lights.front();
+    for (Ogre::Light* light : scene.lights)
+        light->setVisible(light == &sun);
+    ShaderSystem system(scene);
+    LogCollector log;
+    manager.setShadowTextureCasterMaterial(nullptr);
+    manager.setShadowTextureSettings(512, 1, Ogre::PF_BYTE_RGBA);
+    constexpr int Ambient = 102;
+    manager.setAmbientLight(Ogre::ColourValue(1, 1, 1) * (Ambient / 255.0F));
+    constexpr int Sunlight = 43; // 0.3 of the light, 0.8 of the surface, at 45 degrees
+    Ogre::MaterialManager::getSingleton()
+        .create("Test/PlainToo", Ogre::RGN_DEFAULT)
+        ->getTechnique(0)
+        ->getPass(0)
+        ->setDiffuse(0.8F, 0.8F, 0.8F, 1);
+    scene.wear("Test/PlainToo");
+    for (int frame = 0; frame < 2; ++frame) {
+        const std::vector<int> picture = scene.draw();
+        EXPECT_NEAR(picture[scene.pixelOf(Ogre::Vector3(-2, 0, 0))], Ambient, 1) << "in shadow";
+        EXPECT_NEAR(picture[scene.pixelOf(Ogre::Vector3(4, 0, 4))], Ambient + Sunlight, 2)
+            << "in sunlight, ambient light but once";
+    }
+    scene.keepPicture("foreign-shader-system-additive");
     EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
 }
 
