@@ -11,26 +11,34 @@
 namespace Lixel {
 namespace {
 
-/// Asks all parts' materials.
+/// Asks all parts and their materials.
 class Question : public Ogre::Renderable::Visitor {
 public:
+    explicit Question(bool castersReceive) : mCastersReceive(castersReceive) {}
+
     void visit(Ogre::Renderable* part, Ogre::ushort, bool, Ogre::Any*) override {
         // In this order: a part's technique is its material's.
         const bool bare = !part->getMaterial();
         const Ogre::Technique* const technique = bare ? nullptr : part->getTechnique();
         if (bare && !firstBare) firstBare = parts;
-        receives = receives || technique == nullptr || technique->getParent()->getReceiveShadows();
+        // The part's word, not the object's, because OGRE takes it: before 14 what is not of an
+        // entity or of static geometry always says that it casts none.
+        receives = receives || ((mCastersReceive || !part->getCastsShadows()) &&
+                                (technique == nullptr || technique->getParent()->getReceiveShadows()));
         ++parts;
     }
     bool receives = false;
     std::size_t parts = 0;
     std::optional<std::size_t> firstBare;
+
+private:
+    bool mCastersReceive;
 };
 
 } // namespace
 
-bool BareParts::receives(Ogre::MovableObject& object) {
-    Question question;
+bool BareParts::receives(Ogre::MovableObject& object, bool castersReceive) {
+    Question question(castersReceive);
     object.visitRenderables(&question);
     if (question.firstBare && mTold.emplace(&object, object.getName()).second)
         Ogre::LogManager::getSingleton().logError(

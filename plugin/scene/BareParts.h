@@ -18,9 +18,11 @@ namespace Lixel {
     asks for its level of detail, and crashes. So the log has to say it before anything is drawn. */
 class BareParts {
 public:
-    /// Whether a material of the object's receives shadows, as Ogre::MovableObject has it, which
-    /// would ask a material that is not there. Says so in the log, once for each object.
-    bool receives(Ogre::MovableObject& object);
+    /// Whether a part of the object's receives shadows: its material does, as Ogre::MovableObject
+    /// has it, which would ask a material that is not there. Says so in the log, once for each
+    /// object.
+    /// @param castersReceive whether parts that cast do
+    bool receives(Ogre::MovableObject& object, bool castersReceive);
 
 private:
     std::set<std::pair<const Ogre::MovableObject*, std::string>> mTold;

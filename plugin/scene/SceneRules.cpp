@@ -61,7 +61,8 @@ SceneRules::SceneRules(const Ogre::Camera& viewer, const Ogre::Viewport& viewpor
     : mCamera(&viewer),
       mSceneManager(viewer.getSceneManager()),
       mVisibilityMask(viewport.getVisibilityMask() & mSceneManager->getVisibilityMask()),
-      mCastersReceive(mSceneManager->getShadowTextureSelfShadow()) {}
+      mCastersReceive(mSceneManager->getShadowTextureSelfShadow() ||
+                      mSceneManager->isShadowTechniqueIntegrated()) {}
 
 bool SceneRules::draws(const Ogre::MovableObject& object) const {
     // getVisible() is the object's own flag; isVisible() would answer for the last camera drawn.
@@ -80,7 +81,7 @@ bool SceneRules::receives(Ogre::MovableObject& object, BareParts& bare) const {
         isBeyondRenderingDistance(object, *mCamera->getLodCamera()))
         return false;
     const auto asked = [&](Ogre::MovableObject& body) {
-        return (mCastersReceive || !body.getCastShadows()) && bare.receives(body);
+        return bare.receives(body, mCastersReceive);
     };
     return mSceneManager->getRenderQueue()
                ->getQueueGroup(object.getRenderQueueGroup())

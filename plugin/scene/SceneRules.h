@@ -38,6 +38,7 @@ private:
     const Ogre::Camera* mCamera = nullptr;
     Ogre::SceneManager* mSceneManager = nullptr;
     unsigned mVisibilityMask = 0;
+    /// OGRE sorts casters out of the receivers, which integrated techniques do not know.
     bool mCastersReceive = true;
 };
 

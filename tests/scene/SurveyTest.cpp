@@ -190,6 +190,14 @@ TEST_P(SurveyTest, WithoutSelfShadowingNoCasterReceives) {
     EXPECT_TRUE(receives(*caster));
 }
 
+TEST_P(SurveyTest, IntegratedTechniquesKnowNoSelfShadowing) {
+    Ogre::Entity* caster = addInView();
+    mManager->setShadowTextureSelfShadow(false);
+    EXPECT_FALSE(receives(*caster));
+    mManager->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    EXPECT_TRUE(receives(*caster));
+}
+
 TEST_P(SurveyTest, IgnoresCamerasAndLights) {
     mRootNode->attachObject(mManager->createLight());
     mRootNode->createChildSceneNode()->attachObject(mManager->createLight());
@@ -223,6 +231,10 @@ TEST_P(SurveyTest, FindsManualObjects) {
     ASSERT_EQ(allCasters().boxes().size(), 1U);
     EXPECT_TRUE(allCasters().boxes()[0].centre.isApprox(Vec3(0, 2, -11)));
     EXPECT_TRUE(allCasters().boxes()[0].halfExtents.isApprox(Vec3(1, 1, 1)));
+    // OGRE asks the part, not the object, and a manual object's says that it casts nothing.
+    mManager->setShadowTextureSelfShadow(false);
+    EXPECT_TRUE(casts(*triangle));
+    EXPECT_TRUE(receives(*triangle));
 }
 
 /// What applications derive themselves, without a factory: terrain tiles, for instance.
