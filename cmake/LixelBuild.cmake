@@ -47,4 +47,7 @@ function(lixel_room name)
   target_include_directories(lixel_${name} PUBLIC "${rooms}")
   target_compile_definitions(lixel_${name} PRIVATE LIXEL_BUILDING)
   target_link_libraries(lixel_${name} PUBLIC ${ARG_USES} PRIVATE lixel_options)
+  # OGRE's exceptions name the file that throws, on every machine where Lixel is used.
+  target_compile_options(lixel_${name} PRIVATE
+    "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/plugin/=Lixel/")
 endfunction()
