@@ -105,7 +105,7 @@ ShadowParts wholeLight(const ShadowLight& light) {
 }
 
 ShadowParts sliceView(const ShadowViewer& viewer, const ShadowLight& light,
-                      std::span<const double> vsSplits) {
+                      std::span<const double> vsSplits, double vsPadding) {
     ShadowParts parts = wholeLight(light);
     vsSplits = vsSplits.first(std::min(vsSplits.size(), ShadowParts::Capacity - 1));
     const Vec4 depth = -viewer.viewFromWorld.row(2).transpose();
@@ -117,6 +117,10 @@ ShadowParts sliceView(const ShadowViewer& viewer, const ShadowLight& light,
         add(parts, light, row);
     }
     bound(parts);
+    // All bounds of slices lie across the view, so a length along it is one along their normals.
+    for (ShadowPart& part : std::span(parts.parts).first(parts.count))
+        for (Plane& plane : std::span(part.wsBounds).first(part.boundCount))
+            plane.offset += vsPadding;
     return parts;
 }
 

@@ -34,7 +34,7 @@ struct ShadowPart {
     ShadowLight light;
     /// (n, d): n . x + d is the part's function, in world axes relative to the problem's origin.
     Vec4 wsRow = Vec4::Zero();
-    /// The half spaces in which that is greatest.
+    /// The half spaces in which that is greatest, and somewhat more where slices overlap.
     std::array<Plane, MostBounds> wsBounds{};
     std::size_t boundCount = 0;
     /// Depth in front of the viewer at which a slice ends, in world units; infinite for the last
@@ -64,10 +64,12 @@ LIXEL_API ShadowParts wholeLight(const ShadowLight& light);
 /** Slices of the view, by depth in front of the viewer.
 
     @param vsSplits where slices meet, ascending, in world units; at most Capacity - 1 of them count
+    @param vsPadding how much farther than to where it meets the next a slice's map reaches, at both
+    ends, for receivers that find slices in another way
     @return one part more than splits
 */
 LIXEL_API ShadowParts sliceView(const ShadowViewer& viewer, const ShadowLight& light,
-                                std::span<const double> vsSplits);
+                                std::span<const double> vsSplits, double vsPadding = 0.0);
 
 /** A point light, or a spot too wide for one map, in a single part: the narrowest spot that will
    do.

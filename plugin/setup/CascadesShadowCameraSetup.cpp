@@ -54,9 +54,21 @@ void CascadesShadowCameraSetup::setSplitDepths(const std::vector<Ogre::Real>& de
     mSplitDepths = depths;
 }
 
+void CascadesShadowCameraSetup::setSplitPadding(Ogre::Real worldUnits) {
+    if (!(worldUnits >= 0) || !std::isfinite(worldUnits))
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                    "worldUnits: the padding must be finite and not negative",
+                    "CascadesShadowCameraSetup::setSplitPadding");
+    mSplitPadding = worldUnits;
+}
+
 ShadowFit CascadesShadowCameraSetup::fit(const ShadowProblem& problem,
                                          FitState& state) const noexcept {
     return fitAs(*mTechnique, problem, state);
+}
+
+std::size_t CascadesShadowCameraSetup::mapsOfSun(std::size_t maps) const noexcept {
+    return mSplitDepths.empty() ? maps : std::min(maps, mSplitDepths.size() + 1);
 }
 
 ShadowParts CascadesShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
@@ -71,7 +83,8 @@ ShadowParts CascadesShadowCameraSetup::divide(const ShadowProblem& problem, std:
                              vsNearOf(problem.viewer.clipFromView) * (1.0 + NearRounding)),
             mSplitDepths.end());
     if (memory.vsSplits.size() > maps - 1) memory.vsSplits.resize(maps - 1);
-    return sliceView(problem.viewer, problem.light, memory.vsSplits);
+    return sliceView(problem.viewer, problem.light, memory.vsSplits,
+                     static_cast<double>(mSplitPadding));
 }
 
 } // namespace Lixel

@@ -51,15 +51,24 @@ public:
     void setSplitDepths(const std::vector<Ogre::Real>& depths);
     const std::vector<Ogre::Real>& getSplitDepths() const { return mSplitDepths; }
 
+    /** How much farther each slice's map reaches than to where slices meet, in world units. Default
+        0, which is enough for Lixel's materials. Others may find slices by another depth: OGRE's
+        receivers compare clip z, which is less by up to twice the viewer's near distance.
+        @throws Ogre::InvalidParametersException unless finite and not negative. */
+    void setSplitPadding(Ogre::Real worldUnits);
+    Ogre::Real getSplitPadding() const { return mSplitPadding; }
+
 protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
     ShadowParts divide(const ShadowProblem& problem, std::size_t maps,
                        DivisionMemory& memory) const noexcept override;
+    std::size_t mapsOfSun(std::size_t maps) const noexcept override;
 
 private:
     std::shared_ptr<const FittedShadowCameraSetup> mTechnique;
     CascadeOptions mOptions;
     std::vector<Ogre::Real> mSplitDepths;
+    Ogre::Real mSplitPadding = 0;
 };
 
 } // namespace Lixel

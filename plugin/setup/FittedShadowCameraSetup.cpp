@@ -77,7 +77,9 @@ enum Trouble : unsigned {
     TooFewTextures = 24,
     NoMapsOfItsOwn,
     BodyWithoutBounds,
-    MapsDrawnTogether
+    MapsDrawnTogether,
+    MapsLeftOver,
+    OneMapToDivide
 };
 static_assert(static_cast<unsigned>(FitReason::TooFewMaps) < TooFewTextures);
 
@@ -91,6 +93,17 @@ void logReason(const Ogre::Light& light, FitReason reason, const ShadowProblem& 
         if (const std::string which = describeInvalidInput(problem); !which.empty())
             message += ": " + which;
     logWarning(message);
+}
+
+/// Whether a light is a sun, and no other casts shadows: textures are counted for a type of lights,
+/// so of several one may have more than it takes. The number that a lamp takes is not its setup's.
+bool isOnlySun(const Ogre::Light& light, const Ogre::SceneManager& sceneManager) {
+    const auto isOther = [&](const Ogre::Light* other) {
+        return other != &light && other->getType() == Ogre::Light::LT_DIRECTIONAL &&
+               other->getCastShadows();
+    };
+    return light.getType() == Ogre::Light::LT_DIRECTIONAL &&
+           std::ranges::none_of(sceneManager._getLightsAffectingFrustum(), isOther);
 }
 
 /// Shadow maps from a camera's own on: OGRE gives lights what is left. The camera's is the first;
@@ -230,7 +243,8 @@ void FittedShadowCameraSetup::setDepthBias(Ogre::Real worldUnits) {
 
 std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
                                             const Ogre::Camera& shadowCamera,
-                                            Ogre::SceneManager& sceneManager, LightNews& news) {
+                                            Ogre::SceneManager& sceneManager,
+                                            LightNews& news) const {
     const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
     const std::vector<ShadowTarget> targets = targetsFrom(shadowCamera, sceneManager);
     if (!targets.empty() && drawsMapsTogether(*targets.front().texture)) {
@@ -241,7 +255,14 @@ std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
         return 0;
     }
     const std::size_t wanted = sceneManager.getShadowTextureCountPerLightType(light.getType());
-    if (wanted <= 1) return 1;
+    if (wanted <= 1) {
+        if (isOnlySun(light, sceneManager) && mapsOfSun(2) > 1 && news.isNew(OneMapToDivide, frame))
+            logWarning("light '" + light.getName() +
+                       "' has one shadow texture, and a setup that divides it among several: "
+                       "SceneManager::setShadowTextureCountPerLightType gives it more, under an "
+                       "integrated shadow technique");
+        return 1;
+    }
     if (!sceneManager.isShadowTechniqueIntegrated()) {
         if (news.isNew(NoMapsOfItsOwn, frame))
             Ogre::LogManager::getSingleton().logError(
@@ -256,7 +277,13 @@ std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
         logWarning("light '" + light.getName() + "' should have " + std::to_string(wanted) +
                    " shadow maps, and there are textures for " + std::to_string(left) +
                    " (SceneManager::setShadowTextureCount)");
-    return std::clamp<std::size_t>(std::min(wanted, left), 1, ShadowParts::Capacity);
+    const std::size_t maps =
+        std::clamp<std::size_t>(std::min(wanted, left), 1, ShadowParts::Capacity);
+    if (isOnlySun(light, sceneManager) && mapsOfSun(maps) < maps && news.isNew(MapsLeftOver, frame))
+        logWarning("light '" + light.getName() + "' has " + std::to_string(maps) +
+                   " shadow textures, and its setup fills " + std::to_string(mapsOfSun(maps)) +
+                   ": CascadesShadowCameraSetup fills one for each slice of the view");
+    return maps;
 }
 
 void FittedShadowCameraSetup::setVisiblePoints(const std::vector<VisiblePoint>& wsPoints) {

@@ -100,6 +100,10 @@ protected:
     virtual ShadowParts divide(const ShadowProblem& problem, std::size_t maps,
                                DivisionMemory& memory) const noexcept;
 
+    /// How many maps it makes at most of a sun that has so many. What a lamp takes depends on what
+    /// stands around it.
+    virtual std::size_t mapsOfSun(std::size_t) const noexcept { return 1; }
+
     /// Another setup's technique, for setups that are made of others.
     static ShadowFit fitAs(const FittedShadowCameraSetup& technique, const ShadowProblem& problem,
                            FitState& state) noexcept {
@@ -115,8 +119,8 @@ private:
                       LightMemory& memory, LightNews& news, const ShadowPart*& part) const;
     /// How many maps the light has, asked with the first one's camera. OGRE draws more than one
     /// right only under integrated techniques.
-    static std::size_t mapsOf(const Ogre::Light& light, const Ogre::Camera& shadowCamera,
-                              Ogre::SceneManager& sceneManager, LightNews& news);
+    std::size_t mapsOf(const Ogre::Light& light, const Ogre::Camera& shadowCamera,
+                       Ogre::SceneManager& sceneManager, LightNews& news) const;
 
     std::unique_ptr<Memory> mMemory;
     Ogre::Real mFilterRadius = 1;

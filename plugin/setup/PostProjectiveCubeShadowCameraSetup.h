@@ -32,6 +32,7 @@ protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
     ShadowParts divide(const ShadowProblem& problem, std::size_t maps,
                        DivisionMemory& memory) const noexcept override;
+    std::size_t mapsOfSun(std::size_t maps) const noexcept override { return maps; }
 
 private:
     CubeOptions mOptions;

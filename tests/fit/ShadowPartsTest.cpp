@@ -107,6 +107,37 @@ TEST(ShadowParts, SlicesAreByDepth) {
     EXPECT_TRUE(holds);
 }
 
+TEST(ShadowParts, PaddedSlicesReachFartherAndServeTheSame) {
+    const bool holds = rc::check([] {
+        const Scene scene = *anyScene();
+        Dice dice(*anySeed());
+        std::vector<double> splits;
+        for (std::size_t i = 0; i < 1 + dice.below(5); ++i)
+            splits.push_back(scene.size * std::pow(10.0, dice.in(-2.0, 1.0)));
+        std::ranges::sort(splits);
+        const double padding = scene.size * dice.in(0.0, 0.5);
+        const ShadowParts plain = sliceView(scene.viewer, scene.light, splits);
+        const ShadowParts padded = sliceView(scene.viewer, scene.light, splits, padding);
+        const double rounding = 1e-9 * scene.size;
+        for (const Vec3& ws : pointsAround(scene, dice)) {
+            RC_ASSERT(padded.serving(ws) == plain.serving(ws));
+            const double depth = -(scene.viewer.viewFromWorld * ws.homogeneous()).z();
+            for (std::size_t i = 0; i < padded.count; ++i) {
+                const double begin = i == 0 ? -1e300 : splits[i - 1] - padding;
+                const double end = i == splits.size() ? 1e300 : splits[i] + padding;
+                if (std::abs(depth - begin) < rounding || std::abs(depth - end) < rounding)
+                    continue;
+                const auto bounds = padded.parts[i].bounds();
+                RC_ASSERT((begin < depth && depth < end) ==
+                          std::ranges::all_of(bounds, [&](const Plane& plane) {
+                              return plane.distance(ws) >= 0.0;
+                          }));
+            }
+        }
+    });
+    EXPECT_TRUE(holds);
+}
+
 TEST(ShadowParts, SevenSplitsAreTheMost) {
     const std::vector<double> splits{1, 2, 3, 4, 5, 6, 7, 8, 9};
     const ShadowParts parts = sliceView(ShadowViewer(), ShadowLight(), splits);

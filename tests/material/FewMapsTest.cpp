@@ -99,6 +99,38 @@ TEST_F(FewMaps, AreNoNewsWhereOneIsAllThereIs) {
     scene.lights[0]->setCustomShadowCameraSetup(OptimalShadowCameraSetup::create());
     scene.lights[2]->setCastShadows(false);
     draw("Lixel/Surface/Integrated");
+    EXPECT_EQ(log.count("reads"), 0U) << log.all();
+}
+
+TEST_F(FewMaps, OfASetupAreNamedWhereItsSunHasMore) {
+    const std::string said = "light 'Light' has 3 shadow textures, and its setup fills ";
+    const auto cascades = CascadesShadowCameraSetup::create();
+    cascades->setSplitDepths({15});
+    scene.lights[0]->setCustomShadowCameraSetup(cascades);
+    draw("Lixel/Surface/Integrated/Maps6");
+    EXPECT_EQ(log.count(said + "2"), 1U) << log.all();
+    scene.lights[0]->setCustomShadowCameraSetup(OptimalShadowCameraSetup::create());
+    draw("Lixel/Surface/Integrated/Maps6");
+    EXPECT_EQ(log.count(said + "1"), 1U) << log.all();
+    EXPECT_EQ(log.count("Lixel:"), 2U) << "none of the lamp: " << log.all();
+}
+
+TEST_F(FewMaps, OfASunThatIsToBeDividedAreNamed) {
+    scene.stage.sceneManager().setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 1);
+    draw("Lixel/Surface/Integrated/Maps6");
+    EXPECT_EQ(log.count("light 'Light' has one shadow texture, and a setup that divides it among "
+                        "several"),
+              1U)
+        << log.all();
+    EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
+}
+
+TEST_F(FewMaps, OfASetupAreNoNewsBesideAnotherSun) {
+    // OGRE counts textures for all suns alike.
+    scene.lights[1]->setVisible(true);
+    scene.stage.sceneManager().setShadowTextureSettings(256, 2 * Cascades + Faces,
+                                                        Ogre::PF_FLOAT32_R);
+    draw("Lixel/Surface/Integrated/Maps6");
     EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
 }
 

@@ -6,6 +6,8 @@
 
 #include <RTShaderSystem/OgreRTShaderSystem.h>
 
+#include <optional>
+
 namespace Lixel::Tests {
 namespace {
 
@@ -95,37 +97,67 @@ std::vector<int> darkness(MaterialScene& scene) {
     return mask;
 }
 
-TEST(ForeignMaterials, OfTheShaderSystemReadCascades) {
-    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
-    Ogre::SceneManager& manager = scene.stage.sceneManager();
-    Ogre::Light& sun = *scene.lights.front();
-    for (Ogre::Light* light : scene.lights)
-        light->setVisible(light == &sun);
-    const std::vector<Ogre::Real> splits{15, 25};
-    auto setup =
-        std::make_shared<CascadesShadowCameraSetup>(Samples::findShadowSetup("Uniform")->create());
-    setup->setSplitDepths(splits);
-    sun.setCustomShadowCameraSetup(setup);
-    manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
-    scene.wear("Lixel/Surface/Integrated/Maps3");
-    const std::vector<int> own = darkness(scene);
-    ASSERT_GT(std::count(own.begin(), own.end(), 255), 1000) << "the box and its shadow";
+/// A sun with three cascades, shown by Lixel's materials and then by the shader system's.
+class ShaderSystemCascades {
+public:
+    explicit ShaderSystemCascades(float nearDistance, const std::vector<Ogre::Real>& splits)
+        : mSplits(splits) {
+        scene.stage.camera().setNearClipDistance(nearDistance);
+        for (Ogre::Light* light : scene.lights)
+            light->setVisible(light == scene.lights.front());
+        cascades->setSplitDepths(splits);
+        scene.lights.front()->setCustomShadowCameraSetup(cascades);
+        scene.stage.sceneManager().setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL,
+                                                                     3);
+        scene.wear("Lixel/Surface/Integrated/Maps3");
+        own = darkness(scene);
+        mSystem.emplace(scene);
+        Ogre::SceneManager& manager = scene.stage.sceneManager();
+        manager.setShadowTextureCasterMaterial(nullptr);
+        manager.setShadowTextureSettings(512, 3, Ogre::PF_DEPTH16);
+        ShaderSystem::usePssm({nearDistance, splits[0], splits[1], 100});
+        Ogre::MaterialManager::getSingleton()
+            .create("Test/Plain", Ogre::RGN_DEFAULT)
+            ->getTechnique(0)
+            ->getPass(0)
+            ->setDiffuse(0.8F, 0.8F, 0.8F, 1);
+        scene.wear("Test/Plain");
+    }
 
-    ShaderSystem system(scene);
+    MaterialScene scene{Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, ""};
+    std::shared_ptr<CascadesShadowCameraSetup> cascades =
+        CascadesShadowCameraSetup::create(Samples::findShadowSetup("Uniform")->create());
+    /// What is dark in Lixel's materials.
+    std::vector<int> own;
+
+private:
+    std::vector<Ogre::Real> mSplits;
+    std::optional<ShaderSystem> mSystem;
+};
+
+TEST(ForeignMaterials, OfTheShaderSystemReadCascades) {
+    ShaderSystemCascades stage(0.1F, {15, 25});
     LogCollector log;
-    manager.setShadowTextureCasterMaterial(nullptr);
-    manager.setShadowTextureSettings(512, 3, Ogre::PF_DEPTH16);
-    ShaderSystem::usePssm({scene.stage.camera().getNearClipDistance(), splits[0], splits[1], 100});
-    auto& materials = Ogre::MaterialManager::getSingleton();
-    materials.create("Test/Plain", Ogre::RGN_DEFAULT)
-        ->getTechnique(0)
-        ->getPass(0)
-        ->setDiffuse(0.8F, 0.8F, 0.8F, 1);
-    scene.wear("Test/Plain");
-    const std::vector<int> theirs = darkness(scene);
-    scene.keepPicture("foreign-shader-system-pssm");
-    EXPECT_LT(differing(own, theirs), 0.3);
+    ASSERT_GT(std::count(stage.own.begin(), stage.own.end(), 255), 1000)
+        << "the box and its shadow";
+    const std::vector<int> theirs = darkness(stage.scene);
+    stage.scene.keepPicture("foreign-shader-system-pssm");
+    EXPECT_LT(differing(stage.own, theirs), 0.3);
     EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+}
+
+/// They compare clip z, which is less than the depth by twice the near distance, and so go on to the
+/// next map that much later.
+TEST(ForeignMaterials, OfTheShaderSystemTakePaddedCascades) {
+    // The first slice ends in the box's shadow.
+    ShaderSystemCascades stage(1.5F, {17, 30});
+    const std::vector<int> without = darkness(stage.scene);
+    stage.scene.keepPicture("foreign-shader-system-not-padded");
+    EXPECT_GT(differing(stage.own, without), 0.2) << "half of the shadow is missing";
+    stage.cascades->setSplitPadding(3);
+    const std::vector<int> padded = darkness(stage.scene);
+    stage.scene.keepPicture("foreign-shader-system-padded");
+    EXPECT_LT(differing(stage.own, padded), 0.1);
 }
 
 /// OGRE takes the ambient light out of its receiver before it first draws with it, and the shader

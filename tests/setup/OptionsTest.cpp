@@ -227,6 +227,13 @@ TEST(Options, Cascades) {
     setup.setUniformity(0.5F);
     setup.setFollowReceivers(false);
     setup.setSplitDepths({3, 20});
+    EXPECT_EQ(setup.getSplitPadding(), 0.0F);
+    setup.setSplitPadding(2);
+    EXPECT_EQ(setup.getSplitPadding(), 2.0F);
+    for (const float wrong : {-1.0F, NaN, Infinity})
+        EXPECT_NE(refusal([&] { setup.setSplitPadding(wrong); }).find("worldUnits"),
+                  std::string::npos);
+    EXPECT_EQ(setup.getSplitPadding(), 2.0F);
     EXPECT_EQ(setup.getUniformity(), 0.5F);
     EXPECT_FALSE(setup.getFollowReceivers());
     EXPECT_EQ(setup.getSplitDepths(), std::vector<Ogre::Real>({3, 20}));
