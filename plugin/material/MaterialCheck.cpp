@@ -5,9 +5,12 @@
 #include "material/ProgramCheck.h"
 #include "material/QueuedPasses.h"
 
+#include <OgreEntity.h>
+#include <OgreGpuProgram.h>
 #include <OgreLight.h>
 #include <OgreLogManager.h>
 #include <OgreMaterial.h>
+#include <OgreMaterialManager.h>
 #include <OgrePass.h>
 #include <OgrePixelFormat.h>
 #include <OgreRenderSystem.h>
@@ -15,6 +18,7 @@
 #include <OgreRenderable.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
+#include <OgreSubEntity.h>
 #include <OgreTechnique.h>
 #include <OgreTexture.h>
 #include <OgreTextureUnitState.h>
@@ -35,11 +39,35 @@ std::string quoted(const std::string& name) {
     return "'" + name + "'";
 }
 
-bool readsShadowMap(const Ogre::Technique& technique) {
-    for (const Ogre::Pass* pass : technique.getPasses())
-        for (const Ogre::TextureUnitState* unit : pass->getTextureUnitStates())
-            if (unit->getContentType() == Ogre::TextureUnitState::CONTENT_SHADOW) return true;
+/// Whether a technique of the material's does: one for what is far may do without, as terrain's.
+bool readsShadowMap(const Ogre::Material& material) {
+    for (const Ogre::Technique* technique : material.getTechniques())
+        for (const Ogre::Pass* pass : technique->getPasses())
+            for (const Ogre::TextureUnitState* unit : pass->getTextureUnitStates())
+                if (unit->getContentType() == Ogre::TextureUnitState::CONTENT_SHADOW) return true;
     return false;
+}
+
+/// OGRE's own, which stands in for a material that is not there or cannot be drawn.
+bool isStandIn(const Ogre::Pass& pass) {
+    const Ogre::Material* const material = pass.getParent()->getParent();
+    auto& materials = Ogre::MaterialManager::getSingleton();
+    return material == materials.getDefaultMaterial(true).get() ||
+           material == materials.getDefaultMaterial(false).get();
+}
+
+/// Whether a pass's vertex program bends what it draws, by bones, morphing or poses.
+bool bends(const Ogre::Pass& pass) {
+    if (!pass.hasVertexProgram()) return false;
+    const Ogre::GpuProgramPtr& program = pass.getVertexProgram();
+    return program->isSkeletalAnimationIncluded() || program->isMorphAnimationIncluded() ||
+           program->isPoseAnimationIncluded();
+}
+
+/// Whether what is drawn is left to its vertex program to bend.
+bool isBentByProgram(Ogre::Renderable& renderable) {
+    auto* const part = dynamic_cast<Ogre::SubEntity*>(&renderable);
+    return part != nullptr && part->getParent()->isHardwareAnimationEnabled();
 }
 
 /// Whether OGRE made the pass out of one of the technique's own, for an illumination stage.
@@ -97,7 +125,9 @@ void MaterialCheck::checkMap(const Ogre::Texture& texture, const ShadowMap& map)
     LightMaps& maps = mMaps[&map.light];
     maps.all = std::max(maps.all, map.iteration + 1);
     if (map.fit.hasMap()) maps.used = std::max(maps.used, map.iteration + 1);
-    if (map.fit.reason == FitReason::NoReceivers && !mManager.getShadowTextureSelfShadow())
+    // Not at once: much of a scene may come after its first frame.
+    if (map.fit.reason == FitReason::NoReceivers && mFrame > FirstLooks &&
+        !mManager.getShadowTextureSelfShadow() && !mManager.isShadowTechniqueIntegrated())
         say("nothing in view receives shadows in scene manager " + quoted(mManager.getName()) +
             ": what casts shadows receives none until SceneManager::setShadowTextureSelfShadow("
             "true)");
@@ -130,34 +160,45 @@ void MaterialCheck::checkLights(const std::set<const Ogre::Light*>& withMaps) {
         if (hasTexture && mDrawsLixelsCasters && withMaps.count(light) == 0)
             say("light " + quoted(light->getName()) +
                 " casts shadows by no setup that Lixel knows of, and so none that Lixel's "
-                "materials "
-                "show: give it one of Lixel's, or its own inside ObservedShadowCameraSetup");
+                "materials show: give it one of Lixel's, or its own inside "
+                "ObservedShadowCameraSetup");
     }
     // Numbers of lights come and go; once is enough.
     if (needed > textures && !std::exchange(mSaidTooFewTextures, true))
         say("scene manager " + quoted(mManager.getName()) + " has " + std::to_string(textures) +
             " shadow textures, and the " + std::to_string(lights) +
             " lights that cast shadows here take " + std::to_string(needed) +
-            ": the last ones cast none (SceneManager::setShadowTextureCount)");
+            ": the last ones get fewer than they need, or none "
+            "(SceneManager::setShadowTextureCount)");
 }
 
 void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
     const Ogre::Technique& technique = *pass.getParent();
     if (!capabilities().hasCapability(Ogre::RSC_FIXED_FUNCTION) &&
         (!pass.hasVertexProgram() || !pass.hasFragmentProgram())) {
-        say("material " + quoted(materialOf(pass)) +
-            (isSplitOff(pass) && technique.getPass(0)->hasFragmentProgram()
-                 ? " loses its fragment program where OGRE splits its pass for additive shadows, "
-                   "and cannot be drawn: give it one pass of illumination_stage ambient and one "
-                   "of per_light, as Lixel/Surface has"
-                 : " has no programs, and this render system draws nothing without: inherit "
-                   "Lixel/Surface (if it does, its group may not find General: see OGRE's errors "
-                   "in this log), or let OGRE's shader system make some") +
-            Manual);
+        if (isStandIn(pass))
+            say("OGRE's own material " + quoted(materialOf(pass)) +
+                " is drawn, which has no programs, and this render system draws nothing without: "
+                "it stands in for a material whose name is not known or whose programs do not "
+                "compile (see OGRE's lines in this log)" +
+                Manual);
+        else
+            say("material " + quoted(materialOf(pass)) +
+                (isSplitOff(pass) && technique.getPass(0)->hasFragmentProgram()
+                     ? " loses its fragment program where OGRE splits its pass for additive "
+                       "shadows, "
+                       "and cannot be drawn: give it one pass of illumination_stage ambient and "
+                       "one "
+                       "of per_light, as Lixel/Surface has"
+                     : " has no programs, and this render system draws nothing without: inherit "
+                       "Lixel/Surface (if it does, its group may not find General: see OGRE's "
+                       "errors "
+                       "in this log), or let OGRE's shader system make some") +
+                Manual);
         return;
     }
     if (mManager.isShadowTechniqueIntegrated() && groupReceives && pass.getLightingEnabled() &&
-        technique.getParent()->getReceiveShadows() && !readsShadowMap(technique))
+        technique.getParent()->getReceiveShadows() && !readsShadowMap(*technique.getParent()))
         say("material " + quoted(materialOf(pass)) +
             " reads no shadow map, so nothing casts shadows on it: under an integrated shadow "
             "technique use Lixel/Surface/Integrated, or give it texture units of content_type "
@@ -176,6 +217,25 @@ void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
         check(pass.getVertexProgramName(), pass.getVertexProgramParameters());
     if (pass.hasFragmentProgram())
         check(pass.getFragmentProgramName(), pass.getFragmentProgramParameters());
+}
+
+void MaterialCheck::checkUnits(const Ogre::Pass& pass) {
+    for (const std::string& wrong : findWrongUnits(pass))
+        say("material " + quoted(materialOf(pass)) + ": " + wrong + Manual);
+}
+
+void MaterialCheck::checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
+    if (bends(pass) || !isBentByProgram(renderable)) return;
+    const bool isCaster =
+        mManager._getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE;
+    const std::string kind = isCaster ? "caster" : "receiver";
+    say("what wears material " + quoted(renderable.getMaterial()->getName()) +
+        " is bent by its vertex program, and shadow " + kind + " material " +
+        quoted(materialOf(pass)) + " does not bend it: " +
+        (isCaster ? "its shadow is that of the mesh at rest"
+                  : "its light falls on the mesh at rest, beside it") +
+        "; give its technique a shadow_" + kind + "_material of its own, or have OGRE bend it " +
+        "(a material whose vertex program includes no animation)" + Manual);
 }
 
 void MaterialCheck::checkReceiver(const Ogre::Pass& pass) {
@@ -209,11 +269,11 @@ void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& li
 }
 
 void MaterialCheck::checkCasters() {
-    // Other casters go with other receivers: nothing of Lixel's to say.
     mDrawsLixelsCasters = std::any_of(mCasters.begin(), mCasters.end(), [](const auto& caster) {
         return writesCasterDepth(*caster.first);
     });
-    if (!mDrawsLixelsCasters) return;
+    // Other casters go with other receivers: nothing of Lixel's to say.
+    if (!mDrawsLixelsCasters && !drawsLixelsReceivers(mManager)) return;
     for (const std::string& format : mWrongFormats)
         say("shadow textures of format " + format +
             " do not hold what Lixel/Caster stores: use SceneManager::setShadowTextureSettings "
@@ -232,15 +292,18 @@ void MaterialCheck::checkCasters() {
 void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const Ogre::Pass* pass,
                                              const Ogre::AutoParamDataSource*,
                                              const Ogre::LightList* lights, bool) {
-    if (mManager._getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) {
+    const auto stage = mManager._getCurrentRenderStage();
+    if (stage == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) {
         if (mCasters.count(pass) == 0) mCasters[pass] = renderable->getMaterial()->getName();
+        checkBending(*pass, *renderable);
         return;
     }
     if (mDrawn.insert(pass).second) {
         checkPrograms(*pass);
-        if (mManager._getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS)
-            checkReceiver(*pass);
+        if (stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS) checkReceiver(*pass);
+        if (mManager.isShadowTechniqueIntegrated()) checkUnits(*pass);
     }
+    if (stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS) checkBending(*pass, *renderable);
     if (lights != nullptr && mManager.isShadowTechniqueIntegrated()) checkReads(*pass, *lights);
 }
 

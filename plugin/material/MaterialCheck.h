@@ -22,8 +22,9 @@ namespace Lixel {
 
     Each line names the material and what to do, and is said once: surfaces that OGRE will refuse to
     draw, or that read no shadow map, or fewer than a light has; receivers of another shadow
-    technique; programs whose parameters are bound wrongly; casters that write another depth than
-    the rest; shadow textures that cannot hold it, or that are too few; lights without a setup.
+    technique; programs whose parameters are bound wrongly, or that look for maps in the wrong texture
+    units; casters that write another depth than Lixel's receivers compare with; casters and
+    receivers that do not bend what its own program bends; shadow textures that cannot hold it, or that are too few; lights without a setup.
 
     Looking costs time, so it is done in the first frames of a scene manager, and then every
     Interval frames.
@@ -59,6 +60,8 @@ private:
     void checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights);
     void checkSurface(const Ogre::Pass& pass, bool groupReceives);
     void checkPrograms(const Ogre::Pass& pass);
+    void checkUnits(const Ogre::Pass& pass);
+    void checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable);
     void checkCasters();
     void checkLights(const std::set<const Ogre::Light*>& withMaps);
     void say(const std::string& message);

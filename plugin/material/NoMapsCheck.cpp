@@ -18,10 +18,6 @@
 namespace Lixel {
 namespace {
 
-bool readsMaps(const Ogre::Pass& pass) {
-    return mapsRead(pass, 0) > 0 || readsModulativeMap(pass);
-}
-
 bool hasLixelsSetup(const Ogre::Light& light, const Ogre::SceneManager& manager) {
     const Ogre::ShadowCameraSetupPtr& own = light.getCustomShadowCameraSetup();
     const Ogre::ShadowCameraSetup* const setup =
@@ -73,14 +69,7 @@ void NoMapsCheck::check() {
 
 bool NoMapsCheck::drawsLixelsMaterials() const {
     const Ogre::Pass* const caster = shadowCasterPassOf(mManager);
-    const Ogre::Pass* const receiver =
-        mManager.isShadowTechniqueIntegrated() ? nullptr : shadowReceiverPassOf(mManager);
-    const bool ofScene = (caster != nullptr && writesCasterDepth(*caster)) ||
-                         (receiver != nullptr && readsMaps(*receiver));
-    bool draws = false;
-    forQueuedPasses(mManager,
-                    [&](const Ogre::Pass& pass, bool) { draws |= ofScene || readsMaps(pass); });
-    return draws;
+    return (caster != nullptr && writesCasterDepth(*caster)) || drawsLixelsReceivers(mManager);
 }
 
 } // namespace Lixel

@@ -5,6 +5,7 @@
 #include "material/SharedParameters.h"
 
 #include <OgrePass.h>
+#include <OgreTextureUnitState.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::string_view Prefix = "lixel";
 const char* const CasterDepth = "lixelCasterDepth";
+const std::string Sampler = "shadowMap";
 
 struct MapUniform {
     std::string_view name; ///< of the first map; the others' end with the map's index
@@ -26,6 +28,12 @@ constexpr std::array MapUniforms{
     MapUniform{"lixelRowW", LP_MAP_ROW_W},         MapUniform{"lixelRowDepth", LP_MAP_ROW_DEPTH},
     MapUniform{"lixelSizeBias", LP_MAP_SIZE_BIAS}, MapUniform{"lixelRowShare", LP_MAP_ROW_SHARE},
 };
+
+/// The programs Lixel/ShadowMaps2 and so on are for up to so many.
+constexpr std::array<std::size_t, 4> NumbersOfMaps{2, 3, 4, 6};
+
+/// So many uniforms that are not bound were not forgotten one by one: a map has six.
+constexpr std::size_t ManyUnbound = 4;
 
 /// In a script: the parameter's index in the upper 16 bits, the light's place in the pass below.
 constexpr int LightBits = 16;
@@ -47,6 +55,12 @@ std::optional<int> lightParameterOf(std::string_view uniform) {
             return known.parameter + LP_MAP_STEP * (map[0] - '0');
     }
     return std::nullopt;
+}
+
+/// The index at the end of a name of several maps' uniforms.
+std::optional<std::size_t> mapIndexIn(std::string_view uniform) {
+    if (uniform.empty() || uniform.back() < '0' || uniform.back() > '9') return std::nullopt;
+    return static_cast<std::size_t>(uniform.back() - '0');
 }
 
 /// The index of the map that a parameter is of.
@@ -113,6 +127,40 @@ std::string wrongNumberOf(const std::string& uniform, const Automatic* automatic
     return {};
 }
 
+/// Of a program for several maps in which these uniforms are not bound.
+std::string inheritanceInstead(const std::vector<std::string_view>& unbound) {
+    std::size_t maps = 0;
+    for (const std::string_view uniform : unbound)
+        maps = std::max(maps, mapIndexIn(uniform).value_or(0) + 1);
+    const std::size_t parent =
+        *std::ranges::lower_bound(NumbersOfMaps, std::min(maps, NumbersOfMaps.back()));
+    const std::string first(unbound.front());
+    return "'" + first + "' and " + std::to_string(unbound.size() - 1) +
+           " more of its uniforms are not bound: let it inherit Lixel/ShadowMaps" +
+           std::to_string(parent) +
+           ", which binds them all (`fragment_program NAME glsl : " + "Lixel/ShadowMaps" +
+           std::to_string(parent) + "`)";
+}
+
+/// The texture unit that a sampler of this name is set to; none where there is no such sampler.
+std::optional<std::size_t> unitOf(const std::string& sampler,
+                                  const Ogre::GpuProgramParameters& parameters) {
+    const Ogre::GpuConstantDefinition* const definition =
+        parameters._findNamedConstantDefinition(sampler);
+    if (definition == nullptr || !definition->isSampler()) return std::nullopt;
+    return static_cast<std::size_t>(*parameters.getIntPointer(definition->physicalIndex));
+}
+
+/// Of a pass's texture units, which hold shadow maps, in their order.
+std::vector<std::size_t> mapUnitsOf(const Ogre::Pass& pass) {
+    std::vector<std::size_t> units;
+    for (std::size_t i = 0; i < pass.getTextureUnitStates().size(); ++i)
+        if (pass.getTextureUnitStates()[i]->getContentType() ==
+            Ogre::TextureUnitState::CONTENT_SHADOW)
+            units.push_back(i);
+    return units;
+}
+
 template <typename Visit>
 void forPrograms(const Ogre::Pass& pass, const Visit& visit) {
     if (pass.hasVertexProgram()) visit(*pass.getVertexProgramParameters());
@@ -124,8 +172,17 @@ void forPrograms(const Ogre::Pass& pass, const Visit& visit) {
 std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& parameters) {
     std::vector<std::string> wrong;
     if (!parameters.hasNamedParameters()) return wrong;
-    for (const auto& [name, definition] : parameters.getConstantDefinitions().map) {
+    const auto& uniforms = parameters.getConstantDefinitions().map;
+    std::vector<std::string_view> unbound;
+    for (const auto& [name, definition] : uniforms)
+        if (lightParameterOf(name) && mapIndexIn(name) &&
+            parameters.findAutoConstantEntry(name) == nullptr)
+            unbound.push_back(name);
+    const bool isForgotten = unbound.size() >= ManyUnbound;
+    if (isForgotten) wrong.push_back(inheritanceInstead(unbound));
+    for (const auto& [name, definition] : uniforms) {
         const Automatic* const automatic = parameters.findAutoConstantEntry(name);
+        if (isForgotten && std::ranges::find(unbound, name) != unbound.end()) continue;
         std::string line = std::string_view(name).starts_with(Prefix)
                                ? wrongBindingOf(name, automatic, parameters)
                                : wrongNumberOf(name, automatic);
@@ -134,11 +191,38 @@ std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& par
     return wrong;
 }
 
+std::vector<std::string> findWrongUnits(const Ogre::Pass& pass) {
+    std::vector<std::string> wrong;
+    const std::size_t maps = mapsRead(pass, 0);
+    const std::vector<std::size_t> units = mapUnitsOf(pass);
+    const auto check = [&](const std::string& sampler, std::size_t expected) {
+        forPrograms(pass, [&](const Ogre::GpuProgramParameters& parameters) {
+            const std::optional<std::size_t> unit = unitOf(sampler, parameters);
+            if (unit && *unit != expected)
+                wrong.push_back("'" + sampler + "' is texture unit " + std::to_string(*unit) +
+                                ", and OGRE puts that map into unit " + std::to_string(expected) +
+                                ", of content_type shadow: write units of your own behind "
+                                "`texture_unit DiffuseMap`");
+        });
+    };
+    if (!units.empty()) check(Sampler, units.front());
+    for (std::size_t map = 0; map < maps && map < units.size(); ++map)
+        check(Sampler + std::to_string(map), units[map]);
+    return wrong;
+}
+
 bool writesCasterDepth(const Ogre::Pass& pass) {
     if (!pass.hasVertexProgram()) return false;
     const Ogre::GpuProgramParameters& parameters = *pass.getVertexProgramParameters();
-    return parameters.hasNamedParameters() &&
-           parameters._findNamedConstantDefinition(CasterDepth) != nullptr;
+    if (parameters.hasNamedParameters() &&
+        parameters._findNamedConstantDefinition(CasterDepth) != nullptr)
+        return true;
+    const auto isLixels = [](const Automatic& automatic) {
+        return isLightCustom(&automatic) &&
+               isInRange(static_cast<int>(automatic.data >> LightBits));
+    };
+    const auto& automatics = parameters.getAutoConstants();
+    return std::any_of(automatics.begin(), automatics.end(), isLixels);
 }
 
 std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light) {

@@ -21,8 +21,16 @@ namespace Lixel {
 */
 std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& parameters);
 
-/// Whether a pass writes the depth that Lixel's receivers compare with: its vertex program has the
-/// uniform lixelCasterDepth.
+/** Which samplers of a pass that reads Lixel's maps are set to another texture unit than OGRE puts
+    the maps into, as lines for the log. Under an integrated technique: there the maps are in the
+    units of content_type shadow, in their order.
+
+    Told apart by their names: `shadowMap`, `shadowMap0` and so on.
+*/
+std::vector<std::string> findWrongUnits(const Ogre::Pass& pass);
+
+/// Whether a pass writes the depth that Lixel's receivers compare with, as far as can be told: its
+/// vertex program has the uniform lixelCasterDepth, or a parameter of Lixel's.
 bool writesCasterDepth(const Ogre::Pass& pass);
 
 /// How many shadow maps of a light a pass reads, by any names: the greatest map's index that a

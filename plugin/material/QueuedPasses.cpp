@@ -1,10 +1,14 @@
 #include "material/QueuedPasses.h"
 
+#include "material/ProgramCheck.h"
 #include "scene/OgreVersions.h"
 
+#include <OgreMaterial.h>
+#include <OgrePass.h>
 #include <OgreRenderQueue.h>
 #include <OgreRenderQueueSortingGrouping.h>
 #include <OgreSceneManager.h>
+#include <OgreTechnique.h>
 
 #include <set>
 
@@ -18,6 +22,18 @@ public:
 
     std::set<const Ogre::Pass*> passes;
 };
+
+bool readsMaps(const Ogre::Pass& pass) {
+    return mapsRead(pass, 0) > 0 || readsModulativeMap(pass);
+}
+
+/// The pass by which OGRE draws another's lights, outside of integrated techniques; null where
+/// there is none but OGRE's own.
+const Ogre::Pass* receiverOf(const Ogre::Pass& pass, Ogre::SceneManager& manager) {
+    const Ogre::MaterialPtr own = pass.getParent()->getShadowReceiverMaterial();
+    const Ogre::Technique* const technique = own ? own->getBestTechnique() : nullptr;
+    return technique != nullptr ? technique->getPass(0) : shadowReceiverPassOf(manager);
+}
 
 } // namespace
 
@@ -35,6 +51,16 @@ void forQueuedPasses(Ogre::SceneManager& manager,
         for (const Ogre::Pass* pass : collector.passes)
             visit(*pass, group->getShadowsEnabled());
     }
+}
+
+bool drawsLixelsReceivers(Ogre::SceneManager& manager) {
+    bool draws = false;
+    forQueuedPasses(manager, [&](const Ogre::Pass& pass, bool) {
+        const Ogre::Pass* const receiver =
+            manager.isShadowTechniqueIntegrated() ? nullptr : receiverOf(pass, manager);
+        draws |= readsMaps(pass) || (receiver != nullptr && readsMaps(*receiver));
+    });
+    return draws;
 }
 
 } // namespace Lixel

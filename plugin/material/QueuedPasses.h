@@ -14,4 +14,8 @@ namespace Lixel {
 void forQueuedPasses(Ogre::SceneManager& manager,
                      const std::function<void(const Ogre::Pass& pass, bool groupReceives)>& visit);
 
+/// Whether anything that a scene manager is about to draw reads Lixel's maps: by its own programs,
+/// or by the shadow receiver material of its technique or of the scene manager.
+bool drawsLixelsReceivers(Ogre::SceneManager& manager);
+
 } // namespace Lixel

@@ -4,6 +4,7 @@
 #include "MaterialScene.h"
 
 #include <Lixel/material/ShadowMaterials.h>
+#include <Lixel/setup/CascadesShadowCameraSetup.h>
 
 #include <algorithm>
 #include <fstream>
@@ -66,6 +67,26 @@ TEST(Groups, GroupsInTheGlobalPoolFindLixel) {
     expectRecipesWork(scene, Game);
 }
 
+/// The recipe of a surface that reads several maps.
+TEST(Groups, HoldProgramsForSeveralMaps) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
+    addGame(Ogre::RGN_DEFAULT);
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
+    Ogre::Light& sun = *scene.lights.front();
+    for (Ogre::Light* light : scene.lights)
+        light->setVisible(light == &sun);
+    setShadowMaterials(manager, "");
+    sun.setCustomShadowCameraSetup(CascadesShadowCameraSetup::create());
+    LogCollector log;
+    scene.wear("My/Cascades");
+    const std::vector<int> banded = scene.draw();
+    scene.keepPicture("recipe-cascades");
+    EXPECT_GT(banded[scene.pixelOf(Ogre::Vector3(4, 0, 4))], 20);
+    EXPECT_EQ(banded[scene.pixelOf(Ogre::Vector3(-2, 0, 0))], 0);
+    EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+}
+
 std::string contentOf(const std::string& file) {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
@@ -83,7 +104,8 @@ std::string withoutIndents(const std::string& text) {
 
 TEST(Recipes, AreTheReadmes) {
     const std::string readme = withoutIndents(contentOf(LIXEL_MATERIALS_DIR "/README.md"));
-    for (const char* name : {"MyReceiver.frag", "My.program"}) {
+    for (const char* name : {"MyReceiver.frag", "My.program", "MyCascades.frag",
+                             "MyCascades.program", "MyCascades.material"}) {
         const std::string recipe = contentOf(LIXEL_TEST_MEDIA "/game/" + std::string(name));
         ASSERT_FALSE(recipe.empty());
         EXPECT_NE(readme.find(withoutIndents(recipe)), std::string::npos) << name;

@@ -46,6 +46,17 @@ TEST_P(Inheritance, OwnProgramsWinInAnyOrder) {
     EXPECT_EQ(number, 6);
 }
 
+TEST_P(Inheritance, OwnUnitsComeLastWhereTheyAreWrittenLast) {
+    parse("import * from \"Lixel.material\"\nmaterial ChildWithUnit : " + std::string(GetParam()) +
+          "\n{\ntechnique\n{\npass Light\n{\n" + Unit + "texture_unit Own\n{\n}\n}\n}\n}\n");
+    const Ogre::MaterialPtr child =
+        Ogre::MaterialManager::getSingleton().getByName("ChildWithUnit");
+    ASSERT_TRUE(child);
+    const auto& units = child->getTechnique(0)->getPass("Light")->getTextureUnitStates();
+    EXPECT_EQ(units.front()->getName(), "DiffuseMap");
+    EXPECT_EQ(units.back()->getName(), "Own");
+}
+
 INSTANTIATE_TEST_SUITE_P(Surfaces, Inheritance,
                          testing::Values("Lixel/Surface", "Lixel/Surface/Integrated",
                                          "Lixel/Surface/Integrated/Maps2",

@@ -94,6 +94,28 @@ INSTANTIATE_TEST_SUITE_P(
                   "Test/CastsByForeign",
                   {"what wears material 'Test/CastsByForeign' casts by the caster material "
                    "'Test/ForeignCaster'"}},
+        WrongCase{"NoProgramThatCompiles",
+                  Ogre::SHADOWTYPE_TEXTURE_MODULATIVE,
+                  "Lixel/Receiver/Modulative",
+                  "Test/Broken",
+                  {"OGRE's own material 'BaseWhite' is drawn, which has no programs"}},
+        WrongCase{"ForgottenParent",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
+                  "",
+                  "Test/ForgottenParent",
+                  {"'lixelRowDepth0' and 17 more of its uniforms are not bound: let it inherit "
+                   "Lixel/ShadowMaps3"}},
+        WrongCase{"UnitBeforeTheMaps",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
+                  "",
+                  "Test/UnitBeforeTheMaps",
+                  {"'shadowMap' is texture unit 1, and OGRE puts that map into unit 2"}},
+        WrongCase{"UnitInPlaceOfAMap",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
+                  "",
+                  "Test/UnitInPlaceOfAMap",
+                  {"'shadowMap1' is texture unit 2, and OGRE puts that map into unit 3",
+                   "'shadowMap2' is texture unit 3, and OGRE puts that map into unit 4"}},
         WrongCase{"AdditiveReceiver",
                   Ogre::SHADOWTYPE_TEXTURE_MODULATIVE,
                   "Lixel/Receiver/Bilinear",
@@ -114,6 +136,34 @@ INSTANTIATE_TEST_SUITE_P(
                   "Test/OwnReceiver",
                   {"shadow receiver material 'Test/Receiver' is for additive shadows"}}),
     [](const auto& wrong) { return std::string(wrong.param.name); });
+
+/// As hardware-skinned models of OGRE's shader system, where nothing else casts.
+TEST(MaterialCheck, SaysThatAllCastersAreForeign) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    LogCollector log;
+    scene.wear("Test/CastsByForeign");
+    scene.draw();
+    scene.draw();
+    EXPECT_EQ(log.count("casts by the caster material 'Test/ForeignCaster'"), 1U) << log.all();
+    EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
+}
+
+/// A far level of detail may do without.
+TEST(MaterialCheck, SaysNothingOfFarTechniquesWithoutMaps) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
+    const Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton()
+                                           .getByName("Lixel/Surface/Integrated")
+                                           ->clone("Test/WithFarTechnique");
+    Ogre::Technique* const far = material->createTechnique();
+    *far = *Ogre::MaterialManager::getSingleton().getByName("Lixel/Surface")->getTechnique(0);
+    far->setLodIndex(1);
+    material->setLodLevels({1});
+    scene.wear("Test/WithFarTechnique");
+    LogCollector log;
+    scene.draw();
+    scene.draw();
+    EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+}
 
 TEST(MaterialCheck, SaysHowAScenesReceiverIsBoundWrongly) {
     for (const auto& [receiver, said] :
@@ -214,8 +264,11 @@ TEST(MaterialCheck, SaysThatNothingReceives) {
     scene.stage.sceneManager().setShadowTextureSelfShadow(false);
     scene.ground->getAttachedObject(0)->setCastShadows(true);
     LogCollector log;
-    scene.draw();
-    scene.draw();
+    for (int i = 0; i < 3; ++i)
+        scene.draw();
+    EXPECT_EQ(log.count("Lixel:"), 0U) << "a scene that is being made: " << log.all();
+    for (int i = 0; i < 60; ++i)
+        scene.stage.drawFrame();
     EXPECT_EQ(log.count("receives none until SceneManager::setShadowTextureSelfShadow(true)"), 1U)
         << log.all();
 }
