@@ -34,15 +34,18 @@ if(LIXEL_SANITIZE)
   target_link_options(lixel_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# lixel_room(NAME SOURCES … USES …): one room of the plugin, an object library.
+# lixel_room(FOLDER SOURCES … USES …): one room of the plugin, an object library lixel_FOLDER, with _
+# for each / in FOLDER.
 #
-# A room's headers are reached as "NAME/Header.h" through a directory that holds that room alone, so
+# A room's headers are reached as "FOLDER/Header.h" through a directory that holds that room alone, so
 # that including a room which is not among USES (or theirs) does not build.
-function(lixel_room name)
+function(lixel_room folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  string(REPLACE "/" "_" name "${folder}")
   set(rooms "${PROJECT_BINARY_DIR}/rooms/${name}")
-  file(MAKE_DIRECTORY "${rooms}")
-  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/plugin/${name}" "${rooms}/${name}" SYMBOLIC)
+  get_filename_component(above "${rooms}/${folder}" DIRECTORY)
+  file(MAKE_DIRECTORY "${above}")
+  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/plugin/${folder}" "${rooms}/${folder}" SYMBOLIC)
   add_library(lixel_${name} OBJECT ${ARG_SOURCES})
   target_include_directories(lixel_${name} PUBLIC "${rooms}")
   target_compile_definitions(lixel_${name} PRIVATE LIXEL_BUILDING)

@@ -1,6 +1,6 @@
 #include "material/ProgramCheck.h"
 
-#include "fit/ShadowParts.h"
+#include "fit/parts/LightPartition.h"
 #include "material/ShadowParameters.h"
 #include "material/SharedParameters.h"
 
@@ -51,7 +51,7 @@ std::optional<int> lightParameterOf(std::string_view uniform) {
         const std::string_view map = uniform.substr(known.name.size());
         if (map.empty()) return known.parameter;
         if (map.size() == 1 && map[0] >= '0' &&
-            map[0] < '0' + static_cast<char>(ShadowParts::Capacity))
+            map[0] < '0' + static_cast<char>(LightPartition::Capacity))
             return known.parameter + LP_MAP_STEP * (map[0] - '0');
     }
     return std::nullopt;
@@ -82,7 +82,7 @@ bool isLightParameter(int parameter) {
 /// Whether a number lies where Lixel's parameters do.
 bool isInRange(int parameter) {
     return parameter >= LP_MAP_ROW_U &&
-           parameter < LP_MAP_ROW_U + LP_MAP_STEP * static_cast<int>(ShadowParts::Capacity);
+           parameter < LP_MAP_ROW_U + LP_MAP_STEP * static_cast<int>(LightPartition::Capacity);
 }
 
 using Automatic = Ogre::GpuProgramParameters::AutoConstantEntry;

@@ -77,7 +77,7 @@ void bindMap(Ogre::Light& light, std::size_t map, const ReceiverParameters& para
 }
 
 void bindNoMaps(Ogre::Light& light) {
-    for (std::size_t map = 0; map < ShadowParts::Capacity; ++map)
+    for (std::size_t map = 0; map < LightPartition::Capacity; ++map)
         bindMap(light, map, litParameters());
     light.setCustomParameter(LP_SPLIT_DEPTHS,
                              Ogre::Vector4(EndlessDepth, EndlessDepth, EndlessDepth, EndlessDepth));

@@ -33,7 +33,7 @@ const BoxSet& CasterSearch::find(const Survey& survey, const ShadowLight& light,
     clear(survey);
     ShadowViewer viewer = survey.viewer();
     viewer.shadowDistance = shadowDistance;
-    if (!receivers.empty() && receivers.invalid() == 0 && CasterReach::isUsable(light) &&
+    if (!receivers.empty() && receivers.invalid() == 0 && CasterSweep::isUsable(light) &&
         mReach.set(viewer, light, survey.receiverBounds(), survey.wsOrigin()))
         collect(survey, mReach.volume());
     if (mCasters.empty() && mCasters.invalid() == 0) addWitness(survey);
@@ -42,7 +42,7 @@ const BoxSet& CasterSearch::find(const Survey& survey, const ShadowLight& light,
 
 const BoxSet& CasterSearch::findAll(const Survey& survey) {
     clear(survey);
-    collect(survey, CullVolume());
+    collect(survey, NodeCuller());
     return mCasters;
 }
 
@@ -51,7 +51,7 @@ void CasterSearch::clear(const Survey& survey) {
     mShapes.reset(survey.meshes(), survey.wsOrigin());
 }
 
-void CasterSearch::collect(const Survey& survey, const CullVolume& volume) {
+void CasterSearch::collect(const Survey& survey, const NodeCuller& volume) {
     const bool culled = collectNodes(survey.rules().sceneManager(), volume, mNodes);
     std::size_t guess = 0;
     for (const Ogre::SceneNode* node : mNodes) {

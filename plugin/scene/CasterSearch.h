@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/CasterReach.h"
+#include "scene/CasterSweep.h"
 #include "scene/Survey.h"
 
 namespace Lixel {
@@ -31,7 +31,7 @@ public:
 
 private:
     void clear(const Survey& survey);
-    void collect(const Survey& survey, const CullVolume& volume);
+    void collect(const Survey& survey, const NodeCuller& volume);
     /// @return whether the object casts
     bool add(const Survey& survey, const Ogre::MovableObject& object);
     void addWitness(const Survey& survey);
@@ -39,7 +39,7 @@ private:
 
     BoxSet mCasters;
     ObjectShapes mShapes;
-    CasterReach mReach;
+    CasterSweep mReach;
     std::vector<Ogre::SceneNode*> mNodes;
     /// The way from the root node to a caster: which children to take, and which object in the end.
     std::vector<std::size_t> mWitness;

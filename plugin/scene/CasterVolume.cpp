@@ -1,6 +1,6 @@
 #include "scene/CasterVolume.h"
 
-#include "fit/Polygon2.h"
+#include "fit/geometry/Polygon2.h"
 #include "scene/OgreMath.h"
 
 #include <OgreAxisAlignedBox.h>

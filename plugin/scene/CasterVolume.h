@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/ShadowFit.h"
+#include "fit/problem/ShadowFit.h"
 
 #include <OgreFrustum.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/Types.h"
+#include "fit/geometry/Types.h"
 
 namespace Ogre {
 class MovableObject;

@@ -1,6 +1,6 @@
 #include "scene/MeshReading.h"
 
-#include "scene/Geometry.h"
+#include "scene/MeshBuffers.h"
 #include "scene/OgreMath.h"
 
 #include <OgreHardwareIndexBuffer.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/BodyHull.h"
-#include "fit/SurfaceCloud.h"
+#include "fit/geometry/BodyHull.h"
+#include "fit/geometry/SurfaceCloud.h"
 #include "scene/MeshReading.h"
 
 #include <OgreAxisAlignedBox.h>

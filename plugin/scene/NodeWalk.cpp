@@ -11,7 +11,7 @@ namespace {
 
 class GraphWalk {
 public:
-    GraphWalk(const CullVolume& volume, std::vector<Ogre::SceneNode*>& nodes)
+    GraphWalk(const NodeCuller& volume, std::vector<Ogre::SceneNode*>& nodes)
         : mVolume(volume), mNodes(nodes) {}
 
     void visit(Ogre::SceneNode& node) {
@@ -23,7 +23,7 @@ public:
     }
 
 private:
-    const CullVolume& mVolume;
+    const NodeCuller& mVolume;
     std::vector<Ogre::SceneNode*>& mNodes;
     std::size_t mGuess = 0;
 };
@@ -36,7 +36,7 @@ void collectAll(Ogre::SceneNode& node, std::vector<Ogre::SceneNode*>& nodes) {
 
 } // namespace
 
-bool collectNodes(Ogre::SceneManager& manager, const CullVolume& volume,
+bool collectNodes(Ogre::SceneManager& manager, const NodeCuller& volume,
                   std::vector<Ogre::SceneNode*>& nodes) {
     nodes.clear();
     if (collectFromOctants(manager, volume, nodes)) return true;

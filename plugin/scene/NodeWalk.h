@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/CullVolume.h"
+#include "scene/NodeCuller.h"
 
 #include <vector>
 
@@ -21,7 +21,7 @@ namespace Lixel {
     @param nodes overwritten; good for as long as nobody else gets to change the scene
     @return whether bounds decided: an object whose box is all of its node's need not be asked again
 */
-bool collectNodes(Ogre::SceneManager& manager, const CullVolume& volume,
+bool collectNodes(Ogre::SceneManager& manager, const NodeCuller& volume,
                   std::vector<Ogre::SceneNode*>& nodes);
 
 } // namespace Lixel

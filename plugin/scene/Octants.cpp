@@ -28,7 +28,7 @@ struct Access : Ogre::OctreeSceneManager {
 
 class OctantWalk {
 public:
-    OctantWalk(const CullVolume& volume, std::vector<Ogre::SceneNode*>& nodes)
+    OctantWalk(const NodeCuller& volume, std::vector<Ogre::SceneNode*>& nodes)
         : mVolume(volume), mNodes(nodes) {}
 
     LIXEL_WITHOUT_PLUGINS_TYPES void visit(Ogre::Octree& octant) {
@@ -50,14 +50,14 @@ private:
                 octant.mBox.getMaximum() + octant.mHalfSize};
     }
 
-    const CullVolume& mVolume;
+    const NodeCuller& mVolume;
     std::vector<Ogre::SceneNode*>& mNodes;
     std::size_t mGuess = 0;
 };
 
 } // namespace
 
-bool collectFromOctants(Ogre::SceneManager& manager, const CullVolume& volume,
+bool collectFromOctants(Ogre::SceneManager& manager, const NodeCuller& volume,
                         std::vector<Ogre::SceneNode*>& nodes) {
     if (!isOctree(manager)) return false;
     if (Ogre::Octree* const octree = Access::octreeOf(manager); octree != nullptr)

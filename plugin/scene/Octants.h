@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/CullVolume.h"
+#include "scene/NodeCuller.h"
 
 #include <vector>
 
@@ -19,7 +19,7 @@ namespace Lixel {
     @param nodes appended to
     @return false, with nothing done, for a scene manager of another kind
 */
-bool collectFromOctants(Ogre::SceneManager& manager, const CullVolume& volume,
+bool collectFromOctants(Ogre::SceneManager& manager, const NodeCuller& volume,
                         std::vector<Ogre::SceneNode*>& nodes);
 
 } // namespace Lixel

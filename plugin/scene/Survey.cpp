@@ -1,5 +1,6 @@
 #include "scene/Survey.h"
 
+#include "fit/focus/ViewVolume.h"
 #include "scene/NodeWalk.h"
 #include "scene/OgreMath.h"
 
@@ -58,7 +59,7 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
     reach.shadowDistance = shadowDistance;
     mView = viewVolume(reach);
 
-    collectNodes(mRules.sceneManager(), CullVolume(mView, mWsOrigin), mNodes);
+    collectNodes(mRules.sceneManager(), NodeCuller(mView, mWsOrigin), mNodes);
     for (Ogre::SceneNode* node : mNodes)
         for (Ogre::MovableObject* object : node->getAttachedObjects())
             visit(*object);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/ConvexVolume.h"
-#include "fit/ShadowProblem.h"
+#include "fit/geometry/ConvexVolume.h"
+#include "fit/problem/ShadowProblem.h"
 #include "scene/MeshShapes.h"
 #include "scene/SceneRules.h"
 

@@ -71,8 +71,8 @@ std::size_t CascadesShadowCameraSetup::mapsOfSun(std::size_t maps) const noexcep
     return mSplitDepths.empty() ? maps : std::min(maps, mSplitDepths.size() + 1);
 }
 
-ShadowParts CascadesShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
-                                              DivisionMemory& memory) const noexcept {
+LightPartition CascadesShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
+                                                 DivisionMemory& memory) const noexcept {
     if (needsParts(problem.light)) return FittedShadowCameraSetup::divide(problem, maps, memory);
     if (mSplitDepths.empty())
         cascadeSplits(problem, static_cast<int>(maps), mOptions, memory.cascades, memory.vsSplits);

@@ -15,7 +15,7 @@ namespace Lixel {
     themselves which map serves a point, and where slices end. A light that shines too wide for one
     map, a point light above all, is divided by directions instead, as all setups do.
 
-    @see fit/CascadeSplits.h
+    @see fit/parts/CascadeSplits.h
 */
 class LIXEL_API CascadesShadowCameraSetup : public FittedShadowCameraSetup {
 public:
@@ -60,8 +60,8 @@ public:
 
 protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
-    ShadowParts divide(const ShadowProblem& problem, std::size_t maps,
-                       DivisionMemory& memory) const noexcept override;
+    LightPartition divide(const ShadowProblem& problem, std::size_t maps,
+                          DivisionMemory& memory) const noexcept override;
     std::size_t mapsOfSun(std::size_t maps) const noexcept override;
 
 private:

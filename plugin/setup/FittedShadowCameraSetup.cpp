@@ -175,15 +175,15 @@ struct FittedShadowCameraSetup::LightMemory {
     std::vector<VisiblePoint> visiblePoints;
     CasterSearch search;
     /// This preparation's, from its first map on.
-    ShadowParts parts;
+    LightPartition parts;
     const BoxSet* casters = nullptr;
     std::size_t maps = 0;
     /// The first part that no map was asked for yet.
     std::size_t nextPart = 0;
     /// Of each part.
-    std::array<FitState, ShadowParts::Capacity> states;
+    std::array<FitState, LightPartition::Capacity> states;
     /// Of each map.
-    std::array<CasterVolume, ShadowParts::Capacity> volumes;
+    std::array<CasterVolume, LightPartition::Capacity> volumes;
     unsigned long lastFrame = 0;
 };
 
@@ -278,7 +278,7 @@ std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
                    " shadow maps, and there are textures for " + std::to_string(left) +
                    " (SceneManager::setShadowTextureCount)");
     const std::size_t maps =
-        std::clamp<std::size_t>(std::min(wanted, left), 1, ShadowParts::Capacity);
+        std::clamp<std::size_t>(std::min(wanted, left), 1, LightPartition::Capacity);
     if (isOnlySun(light, sceneManager) && mapsOfSun(maps) < maps && news.isNew(MapsLeftOver, frame))
         logWarning("light '" + light.getName() + "' has " + std::to_string(maps) +
                    " shadow textures, and its setup fills " + std::to_string(mapsOfSun(maps)) +
@@ -302,12 +302,12 @@ void FittedShadowCameraSetup::setVisiblePoints(const std::vector<VisiblePoint>& 
         point.wsNormal.stableNormalize();
 }
 
-ShadowParts FittedShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
-                                            DivisionMemory& memory) const noexcept {
+LightPartition FittedShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
+                                               DivisionMemory& memory) const noexcept {
     if (!needsParts(problem.light)) return wholeLight(problem.light);
     constexpr std::size_t CubeFaces = 6;
     if (maps < CubeFaces) {
-        const ShadowParts aimed = aimedSpot(problem, memory.aim);
+        const LightPartition aimed = aimedSpot(problem, memory.aim);
         if (aimed.count > 0 || maps == 1) return aimed;
     }
     return cubeAround(problem.light);

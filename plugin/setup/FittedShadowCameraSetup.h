@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/CascadeSplits.h"
-#include "fit/ShadowParts.h"
+#include "fit/parts/CascadeSplits.h"
+#include "fit/parts/LightPartition.h"
 
 // OgreShadowCameraSetup.h of 1.12 needs it and does not include it.
 #include <OgreSharedPtr.h>
@@ -91,14 +91,14 @@ public:
 protected:
     FittedShadowCameraSetup();
 
-    /// The technique: one map of the problem. @see fit/ShadowFit.h
+    /// The technique: one map of the problem. @see fit/problem/ShadowFit.h
     virtual ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept = 0;
 
     /// Who is served by which map. Where there are more parts than maps, those with nothing to draw
     /// get none. @param maps that the light has, at least 1
     /// @return no part where that many maps are too few
-    virtual ShadowParts divide(const ShadowProblem& problem, std::size_t maps,
-                               DivisionMemory& memory) const noexcept;
+    virtual LightPartition divide(const ShadowProblem& problem, std::size_t maps,
+                                  DivisionMemory& memory) const noexcept;
 
     /// How many maps it makes at most of a sun that has so many. What a lamp takes depends on what
     /// stands around it.

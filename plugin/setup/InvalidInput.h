@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/ShadowProblem.h"
+#include "fit/problem/ShadowProblem.h"
 
 #include <string>
 

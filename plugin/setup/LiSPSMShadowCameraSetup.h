@@ -1,13 +1,13 @@
 #pragma once
 
-#include "fit/LiSPSM.h"
+#include "fit/technique/LiSPSM.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
 
 /** Light space perspective shadow maps (Wimmer, Scherzer, Purgathofer 2004): a perspective across
    the light that makes the perspective error alike near and far, and fades out as the view turns
-   into the light. @see fit/LiSPSM.h */
+   into the light. @see fit/technique/LiSPSM.h */
 class LIXEL_API LiSPSMShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     static std::shared_ptr<LiSPSMShadowCameraSetup> create() {

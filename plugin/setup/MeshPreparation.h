@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/Types.h"
+#include "fit/geometry/Types.h"
 
 // OgrePrerequisites.h of 1.12 declares MeshPtr and needs it.
 #include <OgreSharedPtr.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/Types.h"
+#include "fit/geometry/Types.h"
 
 // OgreShadowCameraSetup.h of 1.12 needs it and does not include it.
 #include <OgreSharedPtr.h>

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "fit/Optimal.h"
+#include "fit/technique/Optimal.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
 
 /** Texels as small as a single map can make them where the viewer looks, for suns and spots, from
     any side. Nothing has to be tuned to the scene; `setSamples` and `setEvaluations` trade time for
-    accuracy. @see fit/Optimal.h */
+    accuracy. @see fit/technique/Optimal.h */
 class LIXEL_API OptimalShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     static std::shared_ptr<OptimalShadowCameraSetup> create() {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "fit/Psm.h"
+#include "fit/technique/Psm.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
 
 /** Perspective shadow maps (Stamminger and Drettakis 2002) as Kozlov (2004, "Care and Feeding")
    mends them: a map in the viewer's post-projective space, without virtual cameras for lights
-   behind the viewer. @see fit/Psm.h */
+   behind the viewer. @see fit/technique/Psm.h */
 class LIXEL_API PSMShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     static std::shared_ptr<PSMShadowCameraSetup> create() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/PlaneOptimal.h"
+#include "fit/technique/PlaneOptimal.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 #include <OgrePlane.h>
@@ -16,7 +16,7 @@ namespace Lixel {
     By default the plane picks the warp, and everything that is seen is served. With setExact the
    map is the viewer's picture of the plane: with as many texels as the viewport has pixels, shadows
    on the plane are free of aliasing; what the map has no place for is lit, and ShadowFit::wsServed
-    says where that is. Whether a side of the plane is up does not matter. @see fit/PlaneOptimal.h
+    says where that is. Whether a side of the plane is up does not matter. @see fit/technique/PlaneOptimal.h
  */
 class LIXEL_API PlaneOptimalShadowCameraSetup : public FittedShadowCameraSetup {
 public:

@@ -1,6 +1,6 @@
 #include "setup/PostProjectiveCubeShadowCameraSetup.h"
 
-#include "fit/Psm.h"
+#include "fit/technique/Psm.h"
 
 #include <OgreException.h>
 
@@ -23,11 +23,11 @@ ShadowFit PostProjectiveCubeShadowCameraSetup::fit(const ShadowProblem& problem,
     return fitPostProjectiveFace(problem, mOptions, state);
 }
 
-ShadowParts PostProjectiveCubeShadowCameraSetup::divide(const ShadowProblem& problem,
-                                                        std::size_t maps,
-                                                        DivisionMemory& memory) const noexcept {
+LightPartition PostProjectiveCubeShadowCameraSetup::divide(const ShadowProblem& problem,
+                                                           std::size_t maps,
+                                                           DivisionMemory& memory) const noexcept {
     if (maps == 1) return FittedShadowCameraSetup::divide(problem, maps, memory);
-    const ShadowParts faces = facesOfView(problem.viewer, problem.light, memory.aim);
+    const LightPartition faces = facesOfView(problem.viewer, problem.light, memory.aim);
     // A light too wide for one map may still need no more than a spot.
     if (needsParts(problem.light) && faces.count > maps)
         return FittedShadowCameraSetup::divide(problem, maps, memory);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/PostProjectiveCube.h"
+#include "fit/technique/PostProjectiveCube.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
@@ -14,7 +14,7 @@ namespace Lixel {
     `Lixel/Surface/Integrated/Maps6`; faces without shadows are not drawn. With one map it is a
     perspective shadow map (PSM) of a light that one map is enough for.
 
-    @see fit/PostProjectiveCube.h
+    @see fit/technique/PostProjectiveCube.h
 */
 class LIXEL_API PostProjectiveCubeShadowCameraSetup : public FittedShadowCameraSetup {
 public:
@@ -30,8 +30,8 @@ public:
 
 protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
-    ShadowParts divide(const ShadowProblem& problem, std::size_t maps,
-                       DivisionMemory& memory) const noexcept override;
+    LightPartition divide(const ShadowProblem& problem, std::size_t maps,
+                          DivisionMemory& memory) const noexcept override;
     std::size_t mapsOfSun(std::size_t maps) const noexcept override { return maps; }
 
 private:

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/ShadowFit.h"
-#include "fit/ShadowParts.h"
+#include "fit/parts/LightPartition.h"
+#include "fit/problem/ShadowFit.h"
 
 namespace Ogre {
 class Camera;

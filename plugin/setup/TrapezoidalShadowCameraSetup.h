@@ -1,12 +1,12 @@
 #pragma once
 
-#include "fit/Trapezoidal.h"
+#include "fit/technique/Trapezoidal.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
 
 /** Trapezoidal shadow maps (Martin and Tan 2004): what is seen up to a focus distance takes 80 % of
-    the map. @see fit/Trapezoidal.h */
+    the map. @see fit/technique/Trapezoidal.h */
 class LIXEL_API TrapezoidalShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     static std::shared_ptr<TrapezoidalShadowCameraSetup> create() {

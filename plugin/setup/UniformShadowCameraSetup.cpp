@@ -1,6 +1,6 @@
 #include "setup/UniformShadowCameraSetup.h"
 
-#include "fit/Uniform.h"
+#include "fit/technique/Uniform.h"
 
 namespace Lixel {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "fit/Uniform.h"
+#include "fit/technique/Uniform.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
 
-/// A uniform shadow map, focused on what is visible and can be shadowed. @see fit/Uniform.h
+/// A uniform shadow map, focused on what is visible and can be shadowed. @see fit/technique/Uniform.h
 class LIXEL_API UniformShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     static std::shared_ptr<UniformShadowCameraSetup> create() {

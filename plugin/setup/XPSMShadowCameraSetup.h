@@ -1,13 +1,13 @@
 #pragma once
 
-#include "fit/Xpsm.h"
+#include "fit/technique/Xpsm.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
 
 /** Extended perspective shadow maps (Gusev 2007): more texels near the viewer, none lost to
     casters behind it. The defaults need no tuning to the scene's scale. Spot lights get the uniform
-    map. @see fit/Xpsm.h */
+    map. @see fit/technique/Xpsm.h */
 class LIXEL_API XPSMShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     static std::shared_ptr<XPSMShadowCameraSetup> create() {

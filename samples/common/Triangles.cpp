@@ -1,6 +1,6 @@
 #include "common/Triangles.h"
 
-#include <Lixel/scene/Geometry.h>
+#include <Lixel/scene/MeshBuffers.h>
 
 #include <Ogre.h>
 

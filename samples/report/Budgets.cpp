@@ -1,6 +1,6 @@
 #include "report/Budgets.h"
 
-#include <Lixel/fit/Optimal.h>
+#include <Lixel/fit/technique/Optimal.h>
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>

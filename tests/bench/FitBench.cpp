@@ -4,13 +4,13 @@
 //
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
 // viewer turns a little from one fit to the next, as it does from frame to frame.
-#include "fit/LiSPSM.h"
-#include "fit/Optimal.h"
-#include "fit/PlaneOptimal.h"
-#include "fit/Psm.h"
-#include "fit/Trapezoidal.h"
-#include "fit/Uniform.h"
-#include "fit/Xpsm.h"
+#include "fit/technique/LiSPSM.h"
+#include "fit/technique/Optimal.h"
+#include "fit/technique/PlaneOptimal.h"
+#include "fit/technique/Psm.h"
+#include "fit/technique/Trapezoidal.h"
+#include "fit/technique/Uniform.h"
+#include "fit/technique/Xpsm.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,12 +1,12 @@
 #include "Problems.h"
 
-#include "fit/LiSPSM.h"
-#include "fit/Optimal.h"
-#include "fit/PlaneOptimal.h"
-#include "fit/Psm.h"
-#include "fit/Trapezoidal.h"
-#include "fit/Uniform.h"
-#include "fit/Xpsm.h"
+#include "fit/technique/LiSPSM.h"
+#include "fit/technique/Optimal.h"
+#include "fit/technique/PlaneOptimal.h"
+#include "fit/technique/Psm.h"
+#include "fit/technique/Trapezoidal.h"
+#include "fit/technique/Uniform.h"
+#include "fit/technique/Xpsm.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

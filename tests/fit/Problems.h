@@ -1,10 +1,10 @@
 #pragma once
 
-#include "fit/BodyHull.h"
-#include "fit/FitState.h"
-#include "fit/PlaneOptimal.h"
-#include "fit/ShadowFit.h"
-#include "fit/ShadowProblem.h"
+#include "fit/core/FitState.h"
+#include "fit/geometry/BodyHull.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
+#include "fit/technique/PlaneOptimal.h"
 
 #include <rapidcheck.h>
 

@@ -6,8 +6,8 @@
 
 #include "common/Comparison.h"
 
-#include <Lixel/fit/WarpSearch.h>
-#include <Lixel/fit/Xpsm.h>
+#include <Lixel/fit/technique/WarpSearch.h>
+#include <Lixel/fit/technique/Xpsm.h>
 
 #include <fmt/core.h>
 

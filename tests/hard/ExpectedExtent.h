@@ -7,7 +7,7 @@
 namespace Lixel::Tests {
 
 /** How large XPSM's texels are expected to be where the viewer looks, by the measure that its guard
-    judges by, relative to a uniform map's: below 1 they are smaller. @see fit/TexelExtent.h
+    judges by, relative to a uniform map's: below 1 they are smaller. @see fit/sampling/TexelExtent.h
 
     Spots' are 1: XPSM gives them the uniform map.
 */

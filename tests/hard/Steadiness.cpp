@@ -5,7 +5,7 @@
 
 #include "common/OracleView.h"
 
-#include <Lixel/fit/TexelInPixels.h>
+#include <Lixel/fit/problem/TexelInPixels.h>
 
 #include <algorithm>
 #include <cmath>

@@ -20,7 +20,7 @@ struct SweepOptions {
 
     ln m, the logarithm of a texel's largest extent in pixels, is compared between successive frames
     at points that both frames see, light (n.l, n.v >= 0.05) and have in the same one of their maps.
-    @see fit/TexelInPixels.h
+    @see fit/problem/TexelInPixels.h
 */
 struct Steadiness {
     double greatest = 0.0;       ///< change of ln m from one frame to the next

@@ -106,7 +106,7 @@ TEST(Receivers, FadeModulativeShadowsWhereLightGrazes) {
 TEST(Receivers, KeepNoMapOfALightThatHasNone) {
     MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
     Ogre::Light& light = *scene.lights.front();
-    constexpr std::size_t Last = ShadowParts::Capacity - 1;
+    constexpr std::size_t Last = LightPartition::Capacity - 1;
     light.setCustomParameter(LP_MAP_ROW_W + LP_MAP_STEP * Last, Ogre::Vector4(1, 2, 3, 4));
     scene.draw();
     EXPECT_EQ(light.getCustomParameter(LP_MAP_ROW_W + LP_MAP_STEP * Last),

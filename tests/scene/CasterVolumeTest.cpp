@@ -4,8 +4,8 @@
 
 #include "SceneTest.h"
 
-#include "fit/Uniform.h"
-#include "fit/Xpsm.h"
+#include "fit/technique/Uniform.h"
+#include "fit/technique/Xpsm.h"
 #include "scene/OgreMath.h"
 
 #include <Eigen/Geometry>

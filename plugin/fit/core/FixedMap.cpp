@@ -1,0 +1,61 @@
+#include "fit/core/FixedMap.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace Lixel {
+namespace {
+
+/// Rounding of a covector's value, relative to the greatest on the polygon.
+constexpr double OnTheEdge = 1e-12;
+
+/// Cuts a convex polygon to covector . (q, 1) >= 0 (Sutherland and Hodgman).
+/// @return whether anything was cut off
+bool cut(const Polygon2& polygon, const Vec3& covector, Polygon2& result) {
+    result.clear();
+    const auto at = [&](const Vec2& q) { return covector.dot(q.homogeneous()); };
+    double greatest = 0.0;
+    for (const Vec2& q : polygon)
+        greatest = std::max(greatest, std::abs(at(q)));
+    const double slack = OnTheEdge * greatest;
+    bool isCut = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2& a = polygon[i];
+        const Vec2& b = polygon[(i + 1) % polygon.size()];
+        const double atA = at(a);
+        const double atB = at(b);
+        if (atA >= -slack)
+            result.push_back(a);
+        else
+            isCut = true;
+        if ((atA > slack && atB < -slack) || (atA < -slack && atB > slack))
+            result.push_back(a + atA / (atA - atB) * (b - a));
+    }
+    return isCut;
+}
+
+} // namespace
+
+Served cutToMap(const Mat3& homography, FocusRegion& region, FocusScratch& scratch) {
+    if (!homography.allFinite() || !(homography.determinant() > 0.0)) return Served::Nothing;
+    Polygon2& before = scratch.polygon;
+    Polygon2& after = scratch.caster;
+    before = region.liHull;
+    bool isCut = false;
+    for (const int row : {0, 1})
+        for (const double sign : {1.0, -1.0}) {
+            const Vec3 covector = homography.row(2) + sign * homography.row(row);
+            isCut = cut(before, covector, after) || isCut;
+            std::swap(before, after);
+            if (before.empty()) return Served::Nothing;
+        }
+    const Vec2 centre = steinerPoint(before);
+    if (!(homography.row(2).dot(centre.homogeneous()) > 0.0)) return Served::Nothing;
+    region.liHull = before;
+    region.liCentre = centre;
+    return isCut ? Served::Part : Served::Everything;
+}
+
+} // namespace Lixel

@@ -1,0 +1,184 @@
+#include "fit/core/MapPlacement.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace Lixel {
+namespace {
+
+/// A new orientation must save this much of the map's area before the old one is given up:
+/// shimmering from a turned texel grid is worse than a tenth of its texels.
+constexpr double OrientationGain = 0.10;
+
+/// Beyond filter radius and the guard texel, for rounding of a map coordinate to float: half a unit
+/// in the last place of 4096 texels is 2^-12; this is 64 times as much.
+constexpr double RoundingTexels = 1.0 / 64.0;
+
+/// Relative difference of areas that is only rounding.
+constexpr double SameArea = 1e-12;
+
+/// A focus region narrower than this fraction of its length is widened to it, one texel of a map
+/// of 4096: thinner regions are rounding (a caster seen edge-on, a flat receiver).
+constexpr double LeastAspect = 1.0 / 4096.0;
+
+/// A rectangle's x axis, as a direction in the world.
+Vec3 wsAxisOf(const OrientedRectangle& rectangle, const LightImage& image) {
+    return image.lsFromWs().transpose() *
+           Vec3(std::cos(rectangle.angle), std::sin(rectangle.angle), 0.0);
+}
+
+/// The rectangle along the last frame's axis, if there was one.
+std::optional<OrientedRectangle> lastRectangle(const Polygon2& warped, const LightImage& image,
+                                               const std::optional<Vec3>& wsLastAxis) {
+    if (!wsLastAxis) return std::nullopt;
+    const Vec3 axis = image.lsFromDirection(*wsLastAxis);
+    return boundsAt(warped, std::fmod(std::atan2(axis.y(), axis.x()) + 2.0 * std::numbers::pi,
+                                      std::numbers::pi / 2.0));
+}
+
+/// The unit vectors along a rectangle's sides.
+std::array<Vec2, 2> axesOf(const OrientedRectangle& rectangle) {
+    const Vec2 x(std::cos(rectangle.angle), std::sin(rectangle.angle));
+    return {x, Vec2(-x.y(), x.x())};
+}
+
+/// Widens the rectangle about its middle where it is too narrow to be more than rounding.
+void widen(OrientedRectangle& rectangle, const Vec2& size, double liReach) {
+    const double longest = (rectangle.max - rectangle.min).maxCoeff();
+    for (int axis = 0; axis < 2; ++axis) {
+        double& lower = rectangle.min[axis];
+        double& upper = rectangle.max[axis];
+        const double least = std::max(longest * LeastAspect, size[axis] * LeastTexel * liReach);
+        if (upper - lower < least) {
+            const double middle = (lower + upper) / 2.0;
+            lower = middle - least / 2.0;
+            upper = middle + least / 2.0;
+        }
+    }
+}
+
+/// How much a warp enlarges a short way in the light image, as seen along an axis of the map, where
+/// it does most: the norm of that row of (I - p w^T) / D, which is the derivative of p = q / D with
+/// D = 1 + w . q = 1 / (1 - w . p).
+double magnification(const Polygon2& warped, const Vec2& warp, const Vec2& axis) {
+    double greatest = 0.0;
+    for (const Vec2& p : warped)
+        greatest = std::max(greatest, (1.0 - warp.dot(p)) * (axis - axis.dot(p) * warp).norm());
+    return greatest;
+}
+
+/// Texels that rounding of positions moves addresses by at most, along each axis of the map.
+Vec2 roundingTexels(const Polygon2& warped, const Vec2& warp, double liReach,
+                    const OrientedRectangle& rectangle, const Vec2& size) {
+    const std::array<Vec2, 2> axes = axesOf(rectangle);
+    Vec2 result;
+    for (int i = 0; i < 2; ++i) {
+        const double texel = (rectangle.max[i] - rectangle.min[i]) / size[i];
+        result[i] = magnification(warped, warp, axes[static_cast<std::size_t>(i)]) *
+                    PositionRounding * liReach / texel;
+    }
+    return result;
+}
+
+} // namespace
+
+double leastBorder(double filterRadius) {
+    return filterRadius + 1.0 + RoundingTexels;
+}
+
+Mat3 warpMatrix(const Vec2& warp, const Vec2& centre) {
+    Mat3 warped = Mat3::Identity();
+    warped.topRightCorner<2, 1>() = -centre;
+    warped.row(2) << warp.x(), warp.y(), 1.0 - warp.dot(centre);
+    return warped;
+}
+
+Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
+                   const Vec2& warp, double liReach, const FitState& state) {
+    Affine result{};
+    const Vec2 size(problem.mapWidth, problem.mapHeight);
+    OrientedRectangle rectangle = smallestRectangle(warped);
+    std::optional<OrientedRectangle> last = lastRectangle(warped, image, state.wsMapAxis);
+    // Where the two are one but for rounding, the one that a fresh state finds is taken; and a kept
+    // axis stays as it is: nothing may creep while nothing moves.
+    if (last && !(last->area() > rectangle.area() * (1.0 + SameArea))) last.reset();
+    const bool small = last && last->area() * (1.0 - OrientationGain) <= rectangle.area();
+
+    const auto place = [&](OrientedRectangle& placed) {
+        widen(placed, size, liReach);
+        return roundingTexels(warped, warp, liReach, placed, size);
+    };
+    Vec2 rounding = place(rectangle);
+    result.rounding = rounding.maxCoeff();
+    result.wsMapAxis = wsAxisOf(rectangle, image);
+    if (last) {
+        const Vec2 lastRounding = place(*last);
+        // Along other axes a narrow side may have finer texels than the border makes up for.
+        result.turned = !small || lastRounding.maxCoeff() > GreatestBorderRounding;
+        if (!result.turned) {
+            rectangle = *last;
+            rounding = lastRounding;
+            result.wsMapAxis = state.wsMapAxis;
+        }
+    }
+    result.border = rounding.array() + leastBorder(problem.filterRadius);
+    result.mapAngle = rectangle.angle;
+    // The rectangle's sides, without the border, become -1 and 1.
+    const std::array<Vec2, 2> axes = axesOf(rectangle);
+    result.mapFromWarped.setIdentity();
+    for (int i = 0; i < 2; ++i) {
+        const Vec2& axis = axes[static_cast<std::size_t>(i)];
+        const double scale = 2.0 * (size[i] - 2.0 * result.border[i]) / size[i] /
+                             (rectangle.max[i] - rectangle.min[i]);
+        result.mapFromWarped.row(i) << scale * axis.x(), scale * axis.y(),
+            -scale * (rectangle.min[i] + rectangle.max[i]) / 2.0;
+    }
+    return result;
+}
+
+Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp) {
+    const Mat3 h = homography / homography.row(2).dot(centre.homogeneous());
+    warp = h.row(2).head<2>();
+    Affine result{};
+    result.mapFromWarped = h * warpMatrix(warp, centre).inverse();
+    result.border.setConstant(leastBorder(filterRadius));
+    return result;
+}
+
+void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, const Vec2& centre,
+                  FitState& state, Polygon2& grown) {
+    // In the map, whose sides are 2, and back.
+    const Mat3& map = affine.mapFromWarped;
+    const Mat3 back = map.inverse();
+    std::vector<Vec2>& points = state.scratch.points;
+    points.clear();
+    for (const Vec2& p : state.warped)
+        points.push_back(map.topLeftCorner<2, 2>() * p + map.topRightCorner<2, 1>());
+    sumWithRectangle(points, Vec2::UnitX(), 2.0 * affine.border.cwiseQuotient(size), grown);
+    // 1 - w . p is one over the denominator. Where that stays well above 0, what is convex stays
+    // so.
+    double horizon = 1.0;
+    for (const Vec2& p : state.warped)
+        horizon = std::min(horizon, 1.0 - warp.dot(p));
+    const double least = 0.5 * horizon;
+    bool beyondHorizon = false;
+    for (Vec2& p : grown) {
+        p = back.topLeftCorner<2, 2>() * p + back.topRightCorner<2, 1>();
+        const double unwarped = 1.0 - warp.dot(p);
+        beyondHorizon = beyondHorizon || unwarped < least;
+        p = centre + p / std::max(unwarped, least);
+    }
+    // A few texels beyond the far end it may reach the horizon; half the hull's own least value
+    // keeps the polygon finite. A corner held back is not on its own ray any more, so that the hull
+    // itself belongs to the result as it is.
+    points.assign(grown.begin(), grown.end());
+    if (beyondHorizon)
+        points.insert(points.end(), state.region.liHull.begin(), state.region.liHull.end());
+    convexHull(points, grown);
+}
+
+} // namespace Lixel

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "fit/core/FitState.h"
+
+/** Where the warped focus region lies in the map: the affine part of a fit. */
+namespace Lixel {
+
+/// Rounding of positions and of the matrix to float, relative to the distance over which positions
+/// are measured: four terms, each of half a unit in the last place, 2^-24.
+inline constexpr double PositionRounding = 4.0 * 0x1p-24;
+
+/// Least size of a texel at the region's centre, relative to the distance over which positions are
+/// measured: PositionRounding is an eighth of it.
+inline constexpr double LeastTexel = 0x1p-19;
+
+/// Texels that such rounding may move an address by, which a map's border makes up for. Where a
+/// warp makes texels finer than that, rounding would show, and nobody could see them.
+inline constexpr double GreatestRounding = 1.0;
+
+/// The same in a map whose axes are those of the last frame, which a warp does not depend on:
+/// beyond it they are given up.
+inline constexpr double GreatestBorderRounding = 2.0 * GreatestRounding;
+
+/// Texels to keep free on each side of a map, with nothing added for the rounding of positions.
+double leastBorder(double filterRadius);
+
+/// What makes a map of the warped light image, and the texels that it keeps free on each side.
+struct Affine {
+    Mat3 mapFromWarped;
+    Vec2 border;
+    double mapAngle;
+    /// Texels that rounding of positions moves addresses by at most, in the smallest rectangle.
+    double rounding = 0.0;
+    /// The map's x axis, as a direction in the world, for the next frame.
+    std::optional<Vec3> wsMapAxis;
+    /// Whether the last frame's axis was given up.
+    bool turned = false;
+};
+
+/// (q - c) / (1 + w . (q - c)), as a homography of ℓ = (q, 1).
+Mat3 warpMatrix(const Vec2& warp, const Vec2& centre);
+
+/** The warped region's smallest rectangle, unless the last frame's orientation is nearly as good;
+    its sides, without the border, become -1 and 1.
+
+    @param warped the focus region's hull after the warp
+    @param liReach the distance over which positions are measured, as a length in the light image
+*/
+Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
+                   const Vec2& warp, double liReach, const FitState& state);
+
+/// A map that is given whole, as the warp that its row w is and what is affine in it.
+Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp);
+
+/// The focus region and what a receiver's filter reaches beyond it, in the light image: the warped
+/// hull's sum with a rectangle of the map's border, unwarped.
+void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, const Vec2& centre,
+                  FitState& state, Polygon2& grown);
+
+} // namespace Lixel

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "fit/focus/FocusScratch.h"
+#include "fit/problem/ShadowFit.h"
+
+namespace Lixel {
+
+/** The focus region: the light rays that meet a visible receiver and a caster before it.
+
+    Gusev 2007, §3.6 takes the boxes of all receivers and of all casters; here receivers are clipped
+    to the view volume first, casters that cannot reach a receiver are left out, and hulls are
+    intersected instead of boxes: a large ground would otherwise make the map that of its whole box.
+*/
+struct FocusRegion {
+    /// None, UnboundedBody, or the reason why there is nothing to focus on.
+    FitReason reason = FitReason::InvalidInput;
+    /// Convex hull of the region in the light image, counter-clockwise.
+    Polygon2 liHull;
+    /// Interior point of the hull.
+    Vec2 liCentre = Vec2::Zero();
+    /// Distances along the light's axis (-z of light space) of visible receivers.
+    double lsReceiverNear = 0.0;
+    double lsReceiverFar = 0.0;
+    /// The same of the casters that matter; their near end may be in front of the receivers'.
+    double lsCasterNear = 0.0;
+    /// Depths in front of the viewer of the visible receivers.
+    double vsReceiverNear = 0.0;
+    double vsReceiverFar = 0.0;
+};
+
+/// Finds the focus region; everything in `region` is overwritten.
+void findFocusRegion(const ShadowProblem& problem, const LightImage& image, FocusScratch& scratch,
+                     FocusRegion& region);
+
+} // namespace Lixel

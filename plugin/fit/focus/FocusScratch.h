@@ -1,0 +1,29 @@
+#pragma once
+
+#include "fit/focus/ImageHull.h"
+#include "fit/focus/SharedEdges.h"
+#include "fit/geometry/BoxSet.h"
+
+namespace Lixel {
+
+/// Scratch memory of focusing, kept between frames.
+struct FocusScratch {
+    ClipScratch clip;
+    /// The receivers that may reach into what is in view and lit, and the casters that may reach
+    /// into what covers them.
+    BoxSet receiversInView;
+    BoxSet kept;
+    /// What is left of either after the first questions.
+    BoxSet nearly;
+    /// Half spaces that boxes are asked about.
+    std::vector<Plane> planes;
+    std::vector<Vec3> wsPoints;
+    std::vector<Vec2> points;
+    ImageHull receivers;
+    std::vector<FourEdges> receiverEdges;
+    ImageHull casters;
+    Polygon2 caster;
+    Polygon2 polygon;
+};
+
+} // namespace Lixel

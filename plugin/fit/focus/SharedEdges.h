@@ -1,0 +1,24 @@
+#pragma once
+
+#include "fit/geometry/Polygon2.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace Lixel {
+
+/// Four edges of a convex polygon, prepared for the question which edges run along them.
+struct FourEdges {
+    std::array<double, 4> fromX, fromY, edgeX, edgeY;
+    /// What of an edge is much of it, times its length, and how far off it may be, times the same.
+    std::array<double, 4> shared, slack;
+};
+
+/// Prepares the edges of a convex polygon, each with a slack for its vertices' coordinates.
+void prepareEdges(const Polygon2& polygon, double slack, std::vector<FourEdges>& edges);
+
+/// Whether the edge from a to b runs along one of those.
+bool runsAlong(std::span<const FourEdges> edges, const Vec2& a, const Vec2& b);
+
+} // namespace Lixel

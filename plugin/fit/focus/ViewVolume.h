@@ -1,0 +1,26 @@
+#pragma once
+
+#include "fit/geometry/ConvexVolume.h"
+#include "fit/problem/ShadowProblem.h"
+
+namespace Lixel {
+
+/** What the viewer sees: the planes of its clip volume and of the shadow distance.
+
+    Planes by Gribb and Hartmann's rows (w ± x, w ± y, w ± z) of the product of the viewer's
+    matrices. Holds for off-axis and oblique projections, and without a far plane.
+*/
+ConvexVolume viewVolume(const ShadowViewer& viewer);
+
+/// Where the viewer is, in world axes relative to the problem's origin.
+Vec3 wsEyeOf(const ShadowViewer& viewer);
+
+/// The projection with clip z turned about where it falls with depth (reversed Z): what comes first
+/// along a ray of the view has the lesser z then, whatever a depth buffer is to hold.
+Mat4 withDepthAhead(const Mat4& clipFromView);
+
+/// Finds a box that holds what the viewer sees, for bodies without bounds.
+/// @return false where the view has no bounds either
+bool viewBounds(const ShadowViewer& viewer, Box& box);
+
+} // namespace Lixel

@@ -1,0 +1,91 @@
+#include "fit/focus/VisibleReceivers.h"
+
+#include "fit/focus/BodyClipping.h"
+#include "fit/focus/ViewVolume.h"
+#include "fit/problem/ShadowPart.h"
+
+#include <algorithm>
+
+namespace Lixel {
+namespace {
+
+/// Widens `range` to the values between `least` and `greatest`.
+void include(Vec2& range, double least, double greatest) {
+    range = {std::min(range.x(), least), std::max(range.y(), greatest)};
+}
+
+} // namespace
+
+VisibleReceivers::VisibleReceivers(const ShadowProblem& problem, const LightImage& image,
+                                   const ConvexVolume& lit, FocusScratch& scratch)
+    : mProblem(problem),
+      mImage(image),
+      mScratch(scratch),
+      mLsDepth(lsDepthOf(image)),
+      mVsDepth(-problem.viewer.viewFromWorld.row(2).head<3>().transpose(),
+               -problem.viewer.viewFromWorld(2, 3)),
+      mSeen(lit) {
+    const ConvexVolume view = viewVolume(problem.viewer);
+    mSeen.add(view.planes());
+    if (problem.part != nullptr) mSeen.add(problem.part->bounds());
+    scratch.receivers.reset(image);
+}
+
+void VisibleReceivers::addAll(const BoxSet& receivers) {
+    keepReaching(receivers, mSeen.planes(), mScratch.nearly, mScratch.receiversInView);
+    addAllBut(
+        mScratch.receiversInView, [this](const BoxSet::Block& block) { return lanesWithin(block); },
+        [this](const Box& box, std::size_t index) {
+            const std::size_t revision = mScratch.receivers.revision();
+            const Vec2 lsRange = mLsRange;
+            const Vec2 vsRange = mVsRange;
+            add(box, index);
+            return revision != mScratch.receivers.revision() || lsRange != mLsRange ||
+                   vsRange != mVsRange;
+        });
+}
+
+void VisibleReceivers::add(const Box& box, std::size_t index) {
+    const ConvexVolume::Side side = mSeen.classify(box);
+    if (side == ConvexVolume::Side::Outside) return;
+    const PlacedHull body(mProblem.receiverShapes, index);
+    if (body.hull == nullptr && side == ConvexVolume::Side::Inside) return addCorners(box);
+    body.clip(box, mSeen, mScratch);
+    addPoints();
+}
+
+void VisibleReceivers::addClipped(const Box& box) {
+    PlacedHull(nullptr, 0).clip(box, mSeen, mScratch);
+    addPoints();
+}
+
+unsigned VisibleReceivers::lanesWithin(const BoxSet::Block& block) const {
+    const ImageHull& hull = mScratch.receivers;
+    if (hull.edges().empty()) return 0;
+    const unsigned lanes = lanesInside(block, hull.edges());
+    if (lanes == 0) return 0;
+    const std::array<Plane, 4> ranges = {mLsDepth.from(mLsRange.x()), mLsDepth.to(mLsRange.y()),
+                                         mVsDepth.from(mVsRange.x()), mVsDepth.to(mVsRange.y())};
+    return lanes & lanesInside(block, ranges);
+}
+
+void VisibleReceivers::addCorners(const Box& box) {
+    const Vec2 ls = mLsDepth.over(box);
+    const Vec2 vs = mVsDepth.over(box);
+    include(mLsRange, ls.x(), ls.y());
+    include(mVsRange, vs.x(), vs.y());
+    mScratch.receivers.add(boxImage(mImage, box));
+}
+
+void VisibleReceivers::addPoints() {
+    mScratch.points.clear();
+    forClipped(mProblem, mImage, mScratch, [this](const Vec3& ws, const Vec3& ls) {
+        include(mLsRange, -ls.z(), -ls.z());
+        const double depth = mVsDepth.at(ws);
+        include(mVsRange, depth, depth);
+        mScratch.points.push_back(mImage.project(ls));
+    });
+    mScratch.receivers.add(mScratch.points);
+}
+
+} // namespace Lixel

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "fit/focus/FocusScratch.h"
+#include "fit/focus/LightVolume.h"
+
+#include <limits>
+
+namespace Lixel {
+
+/// Collects what is visible of receivers; its hull is in the scratch memory.
+class VisibleReceivers {
+public:
+    /// @param lit what the light reaches
+    VisibleReceivers(const ShadowProblem& problem, const LightImage& image, const ConvexVolume& lit,
+                     FocusScratch& scratch);
+
+    void addAll(const BoxSet& receivers);
+    /// Adds what is visible of a box that is no body of the problem's.
+    void addClipped(const Box& box);
+
+    /// Least and greatest distance along the light's axis, and depth in front of the viewer.
+    const Vec2& lsRange() const { return mLsRange; }
+    const Vec2& vsRange() const { return mVsRange; }
+
+private:
+    static constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+    /// The lanes of boxes of which all, in view or not, lies within what was added already.
+    unsigned lanesWithin(const BoxSet::Block& block) const;
+    /// Adds what is visible of a body.
+    /// @param index of it in the problem's set
+    void add(const Box& box, std::size_t index);
+    void addCorners(const Box& box);
+    void addPoints();
+
+    const ShadowProblem& mProblem;
+    const LightImage& mImage;
+    FocusScratch& mScratch;
+    Gauge mLsDepth;
+    Gauge mVsDepth;
+    ConvexVolume mSeen;
+    Vec2 mLsRange = Vec2(Infinity, -Infinity);
+    Vec2 mVsRange = Vec2(Infinity, -Infinity);
+};
+
+} // namespace Lixel

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "fit/geometry/ConvexVolume.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <span>
+
+namespace Lixel {
+
+/** A convex body around a mesh, in the mesh's own space: made once, and moved with it.
+
+    The box of a body that is turned, or that runs aslant, holds much that the body does not; so
+    does a map that is fitted to it. This is the polytope of 26 faces, whose normals have the
+    components -1, 0 and 1: 6 as a box has, one for each of its edges, and one for each of its
+    corners, where they cut something off (Klosowski et al. 1998, "Efficient Collision Detection
+    Using Bounding Volume Hierarchies of k-DOPs", §3).
+*/
+struct BodyHull {
+    std::vector<Vec3> vertices;
+    /// Between two vertices and two of the faces, which are numbered below `faces`.
+    std::vector<ClipScratch::Edge> edges;
+    std::uint32_t faces = 0;
+    /// In the cube of the mesh's unit.
+    double volume = 0.0;
+
+    bool empty() const { return vertices.empty(); }
+};
+
+/// The hull of points; empty where there are none, or one that is not finite.
+BodyHull makeBodyHull(std::span<const Vec3> positions);
+
+/// Makes the hull of points that come a few at a time. The same points give the same hull, to the
+/// last bit, however they are divided.
+class BodyHullBuilder {
+public:
+    BodyHullBuilder();
+    void add(std::span<const Vec3> positions);
+    /// @return as makeBodyHull
+    BodyHull build() const;
+
+private:
+    /// Axes of the faces' normals: 3 of a box, 6 towards its edges, 4 towards its corners.
+    static constexpr std::size_t Axes = 13;
+    /// How far the points reach along each axis.
+    std::array<double, Axes> mLeast;
+    std::array<double, Axes> mMost;
+    bool mFinite = true;
+};
+
+/// Appends the vertices of hull ∩ volume to `points`.
+void clipHull(const BodyHull& hull, const Eigen::Affine3d& wsFromBody, const ConvexVolume& volume,
+              ClipScratch& scratch, std::vector<Vec3>& points);
+
+/// What is known of the bodies of a set beyond their boxes. A fit asks for those few that its map
+/// would have to be larger for.
+class BodyShapes {
+public:
+    virtual ~BodyShapes() = default;
+
+    /** @param index of the body's box in its set
+        @param wsFromBody is set to world axes relative to the problem's origin, from the hull's
+               space
+        @return null where the box is all that is known, or hardly larger */
+    virtual const BodyHull* hullOf(std::size_t index,
+                                   Eigen::Affine3d& wsFromBody) const noexcept = 0;
+};
+
+} // namespace Lixel

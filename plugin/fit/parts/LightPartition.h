@@ -1,0 +1,74 @@
+#pragma once
+
+#include "fit/parts/SpotAim.h"
+#include "fit/problem/ShadowPart.h"
+
+#include <array>
+#include <span>
+
+/** One light in several maps: who is served by which.
+
+    Each map has an affine function of world points, and serves the points at which its function is
+    the greatest of all. Slices of the view, faces of a cube around a light and faces of the view
+    volume itself are all of this kind, so a receiver finds its map by a few dot products, and no
+    point has none or two.
+*/
+namespace Lixel {
+
+/// The parts of a problem, one map each.
+struct LightPartition {
+    static constexpr std::size_t Capacity = ShadowPart::Most;
+    std::array<ShadowPart, Capacity> parts{};
+    std::size_t count = 0;
+
+    std::span<const ShadowPart> span() const { return {parts.data(), count}; }
+    /// The part that serves a world point.
+    LIXEL_API std::size_t serving(const Vec3& ws) const;
+};
+
+/// All in one part.
+LIXEL_API LightPartition wholeLight(const ShadowLight& light);
+
+/** Slices of the view, by depth in front of the viewer.
+
+    @param vsSplits where slices meet, ascending, in world units; at most Capacity - 1 of them count
+    @param vsPadding how much farther than to where it meets the next a slice's map reaches, at both
+    ends, for receivers that find slices in another way
+    @return one part more than splits
+*/
+LIXEL_API LightPartition sliceView(const ShadowViewer& viewer, const ShadowLight& light,
+                                   std::span<const double> vsSplits, double vsPadding = 0.0);
+
+/** A point light, or a spot too wide for one map, in a single part: the narrowest spot that will
+   do.
+    @return none where it would have to be too wide. @see SpotAim.h */
+LIXEL_API LightPartition aimedSpot(const ShadowProblem& problem, AimScratch& scratch);
+
+/** Faces of a cube around a local light, with world axes: six spots of which none depends on the
+    viewer. A spot's own cone is not regarded: it is for those that are too wide for one map. */
+LIXEL_API LightPartition cubeAround(const ShadowLight& light);
+
+/** Kozlov's cube map of post-projective space (2004, §14.2.2, "Using Cube Maps"): faces of the
+    viewer's volume that look away from the light, one to five of them for a directional light
+   (Kozlov has three to five; a light straight from behind needs but the far one), all six for a
+   light within.
+
+    A light ray belongs to the face through which it leaves the volume. In homogeneous world
+    coordinates, with planes n_i (positive inside) and the light L, x - t L runs away from the light
+    as t grows, and leaves at the least of
+
+        t_i = (n_i . x) / (n_i . L)    over the faces with n_i . L > 0,
+
+    his a = max(...) without post-projective space, and so without its inverted lights: it also
+    holds for a light behind the viewer. A shadow distance is a face too.
+
+    A point light's parts are spots around what is seen of them. Where neither the view nor the
+    light's range has an end, or a part is too wide for one map, they are cubeAround's instead.
+*/
+LIXEL_API LightPartition facesOfView(const ShadowViewer& viewer, const ShadowLight& light,
+                                     AimScratch& scratch);
+
+/// The problem of one part: its light, and its share of the receivers. The part has to outlive it.
+LIXEL_API ShadowProblem problemOf(const ShadowProblem& problem, const ShadowPart& part);
+
+} // namespace Lixel

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "fit/geometry/ConvexVolume.h"
+#include "fit/problem/ShadowProblem.h"
+
+namespace Lixel {
+
+/// Scratch memory of aiming, kept between frames.
+struct AimScratch {
+    ClipScratch clip;
+    std::vector<Vec3> wsPoints;
+    std::vector<Vec3> directions;
+};
+
+/** Widest half angle, in radians, to which a spot is aimed: 80°. Its map is tan(80°) = 5.7 times as
+    wide as the light is far, so that a uniform texel is 33 times as large in the middle as at the
+    rim; wider than that several maps are the better choice. */
+inline constexpr double WidestAim = 1.3962634015954636;
+
+/** A point light, or a spot too wide for one map, as the narrowest spot that will do.
+
+    Around the smaller of two cones: that of what the viewer sees of the receivers, within the
+    light's range, and that of the casters within it; only what is in both can be shadowed.
+
+    @param[out] spot the light as a spot, where there is one
+    @return whether a cone of WidestAim holds one of them, in which bodies without bounds have no
+    part. Where there is nothing to shadow the cone is as good as any.
+*/
+bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spot);
+
+/// The spot around directions from the light; false where they need more than the widest half
+/// angle, or there are none. @param directions of any length but zero; they are changed
+bool spotAround(const ShadowLight& light, double widest, std::vector<Vec3>& directions,
+                ShadowLight& spot);
+
+} // namespace Lixel

@@ -1,0 +1,176 @@
+#include "fit/sampling/TexelExtent.h"
+
+#include "fit/geometry/Multiversion.h"
+#include "fit/geometry/Simd.h"
+
+#include <limits>
+
+namespace Lixel {
+namespace {
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// The count rounded up to whole fours.
+constexpr std::size_t inFours(std::size_t count) {
+    return (count + 3) / 4 * 4;
+}
+
+/// Loops over lanes become one instruction where it need not report errors (CMakeLists.txt).
+[[gnu::always_inline]] inline void squareRoot(Four& value) {
+    for (int lane = 0; lane < 4; ++lane)
+        value[lane] = std::sqrt(value[lane]);
+}
+
+} // namespace
+
+LIXEL_MULTIVERSION
+MapSides smallestMap(const double* x, const double* y, std::size_t count) {
+    Four leastArea = Four{} + Infinity;
+    Four leastPerimeter = leastArea;
+    Four edgeX{};
+    Four edgeY{};
+    Four along{};
+    Four across{};
+    for (std::size_t i = 0; i < count; i += 4) {
+        Four fromX;
+        Four fromY;
+        Four toX;
+        Four toY;
+        load(x + i, fromX);
+        load(y + i, fromY);
+        load(x + i + 1, toX);
+        load(y + i + 1, toY);
+        toX -= fromX;
+        toY -= fromY;
+        // Bounds along the edge and across it, times its length.
+        Four leastAlong = Four{} + Infinity;
+        Four leastAcross = leastAlong;
+        Four mostAlong = -leastAlong;
+        Four mostAcross = -leastAlong;
+        for (std::size_t k = 0; k < count; ++k) {
+            const Four alongEdge = toX * x[k] + toY * y[k];
+            const Four acrossEdge = toX * y[k] - toY * x[k];
+            lesser(alongEdge, leastAlong, leastAlong);
+            greater(alongEdge, mostAlong, mostAlong);
+            lesser(acrossEdge, leastAcross, leastAcross);
+            greater(acrossEdge, mostAcross, mostAcross);
+        }
+        // Not a number for an edge of length zero, which is never better.
+        const Four scale = 1.0 / (toX * toX + toY * toY);
+        const Four width = (mostAlong - leastAlong) * scale;
+        const Four height = (mostAcross - leastAcross) * scale;
+        const Four area = (mostAlong - leastAlong) * height;
+        // A polygon without area makes many rectangles of area 0: the shortest is the one wanted.
+        const Four perimeter =
+            (mostAlong - leastAlong + mostAcross - leastAcross) * (width + height);
+        const FourMask better =
+            (area < leastArea) | ((area == leastArea) & (perimeter < leastPerimeter));
+        leastArea = better ? area : leastArea;
+        leastPerimeter = better ? perimeter : leastPerimeter;
+        edgeX = better ? toX : edgeX;
+        edgeY = better ? toY : edgeY;
+        along = better ? width : along;
+        across = better ? height : across;
+    }
+    int best = 0;
+    for (int lane = 1; lane < 4; ++lane)
+        if (leastArea[lane] < leastArea[best] ||
+            (leastArea[lane] == leastArea[best] && leastPerimeter[lane] < leastPerimeter[best]))
+            best = lane;
+    return {Vec2(edgeX[best], edgeY[best]) * along[best],
+            Vec2(-edgeY[best], edgeX[best]) * across[best]};
+}
+
+namespace {
+
+/// The hull warped: q / (1 + w . q).
+LIXEL_MULTIVERSION
+void warpAll(const double* x, const double* y, std::size_t count, const Vec2& warp, double* warpedX,
+             double* warpedY) {
+    for (std::size_t i = 0; i < count; i += 4) {
+        Four atX;
+        Four atY;
+        load(x + i, atX);
+        load(y + i, atY);
+        const Four scale = 1.0 / (1.0 + (warp.x() * atX + warp.y() * atY));
+        store(atX * scale, warpedX + i);
+        store(atY * scale, warpedY + i);
+    }
+}
+
+} // namespace
+
+/// The sum over samples.
+LIXEL_MULTIVERSION
+double TexelExtent::sumOver(const SampleColumns& columns, std::size_t count, const Vec2& warp,
+                            const MapSides& map) {
+    const double wu = warp.dot(map.u);
+    const double wv = warp.dot(map.v);
+    Four sum{};
+    for (std::size_t i = 0; i < count; i += 4) {
+        Four x;
+        Four y;
+        load(&columns.x[i], x);
+        load(&columns.y[i], y);
+        // p = q / D with D = 1 + w . q has the derivative (I - q w^T / D) / D, whose inverse is
+        // D (I + q w^T): nothing is divided.
+        const Four ux = map.u.x() + x * wu;
+        const Four uy = map.u.y() + y * wu;
+        const Four vx = map.v.x() + x * wv;
+        const Four vy = map.v.y() + y * wv;
+        const Four inLight = (ux * ux + uy * uy) + (vx * vx + vy * vy);
+        Four inPicture{};
+        for (std::size_t row = 0; row < 2; ++row) {
+            Four a;
+            Four b;
+            load(&columns.ndcFromLi[2 * row][i], a);
+            load(&columns.ndcFromLi[2 * row + 1][i], b);
+            const Four u = a * ux + b * uy;
+            const Four v = a * vx + b * vy;
+            inPicture += u * u + v * v;
+        }
+        Four mean = inLight * inPicture;
+        squareRoot(mean);
+        squareRoot(mean);
+        sum += mean * (1.0 + (warp.x() * x + warp.y() * y));
+    }
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+void TexelExtent::reset(const std::vector<ViewSample>& samples, const Polygon2& hull,
+                        const Vec2& centre) {
+    // Behind the vertices the first is repeated: edges go to it, and then nowhere.
+    mVertices = hull.size();
+    const std::size_t vertices = inFours(mVertices + 1) + 4;
+    for (std::vector<double>* column : {&mHullX, &mHullY, &mWarpedX, &mWarpedY})
+        if (column->size() < vertices) column->resize(vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+        const Vec2 q = hull.empty() ? Vec2(0.0, 0.0) : Vec2(hull[i < mVertices ? i : 0] - centre);
+        mHullX[i] = q.x();
+        mHullY[i] = q.y();
+    }
+    // Behind the samples are some of extent zero.
+    mCount = samples.size();
+    const std::size_t count = inFours(mCount);
+    for (std::vector<double>* column : mSamples.all())
+        if (column->size() < count) column->resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool real = i < mCount;
+        const Vec2 q = real ? Vec2(samples[i].liPoint - centre) : Vec2(0.0, 0.0);
+        mSamples.x[i] = q.x();
+        mSamples.y[i] = q.y();
+        for (std::size_t k = 0; k < 4; ++k)
+            mSamples.ndcFromLi[k][i] = real ? samples[i].ndcFromLi(static_cast<Eigen::Index>(k / 2),
+                                                                   static_cast<Eigen::Index>(k % 2))
+                                            : 0.0;
+    }
+}
+
+double TexelExtent::operator()(const Vec2& warp) {
+    const std::size_t padded = inFours(mVertices);
+    warpAll(mHullX.data(), mHullY.data(), padded + 4, warp, mWarpedX.data(), mWarpedY.data());
+    const MapSides map = smallestMap(mWarpedX.data(), mWarpedY.data(), padded);
+    return sumOver(mSamples, inFours(mCount), warp, map) / static_cast<double>(mCount);
+}
+
+} // namespace Lixel

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "fit/geometry/Polygon2.h"
+#include "fit/sampling/ViewSamples.h"
+
+#include <array>
+
+namespace Lixel {
+
+/// Two sides of a map's rectangle, as vectors.
+struct MapSides {
+    Vec2 u = Vec2::Zero();
+    Vec2 v = Vec2::Zero();
+};
+
+/** The sides of the smallest rectangle around a convex polygon; zero around a point.
+
+    All edges are tried, four at once: for few vertices that is faster than calipers turned about
+    them, which wait for one comparison after the other.
+    @param count vertices, a multiple of four; one more than that is read. Fill up with the first.
+*/
+MapSides smallestMap(const double* x, const double* y, std::size_t count);
+
+/** How large a map's texels are on average over the samples, as a function of the warp: Chong's
+    "one combined measure of aliasing" (2006, §3.3), to be minimised.
+
+    A pixel is classified wrongly where a texel lies across a shadow's edge, so how often that
+    happens is the density of edges times the extent of a texel in the same plane. Edges spread
+    evenly over the light image call for the texel's extent there, edges spread evenly over the
+    viewer's picture for its extent in pixels; scenes are in between, and this is the mean of the
+    geometric means of the two. Extents are Frobenius norms of d(plane) / d(texel): perspective and
+    projection aliasing together. Values are only to be compared with those of other warps.
+*/
+class TexelExtent {
+public:
+    /// @param hull the focus region's; the map is the smallest rectangle around it after the warp
+    void reset(const std::vector<ViewSample>& samples, const Polygon2& hull, const Vec2& centre);
+
+    bool hasSamples() const { return mCount > 0; }
+
+    /// The mean for a warp about the centre, which must be positive all over the hull.
+    double operator()(const Vec2& warp);
+
+private:
+    /// Numbers of samples beside each other: position about the centre, and d(device x, y) /
+    /// d(light image x, y) by rows. They only grow.
+    struct SampleColumns {
+        std::vector<double> x, y;
+        std::array<std::vector<double>, 4> ndcFromLi;
+        std::array<std::vector<double>*, 6> all() {
+            return {&x, &y, &ndcFromLi[0], &ndcFromLi[1], &ndcFromLi[2], &ndcFromLi[3]};
+        }
+    };
+
+    static double sumOver(const SampleColumns& columns, std::size_t count, const Vec2& warp,
+                          const MapSides& map);
+
+    SampleColumns mSamples;
+    std::size_t mCount = 0;
+    // The hull about the centre, and warped.
+    std::size_t mVertices = 0;
+    std::vector<double> mHullX, mHullY, mWarpedX, mWarpedY;
+};
+
+} // namespace Lixel

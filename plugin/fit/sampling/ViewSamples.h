@@ -1,0 +1,52 @@
+#pragma once
+
+#include "fit/focus/FocusRegion.h"
+#include "fit/sampling/ViewRays.h"
+
+namespace Lixel {
+
+/// What the viewer sees through one of its pixels, as the light sees it.
+struct ViewSample {
+    /// Image of the visible point.
+    Vec2 liPoint = Vec2::Zero();
+    /// Its depth in front of the viewer, in world units.
+    double vsDepth = 0.0;
+    /// d(viewer's normalised device coordinates) / d(light image), along the surface's tangent
+    /// plane.
+    Eigen::Matrix2d ndcFromLi = Eigen::Matrix2d::Identity();
+};
+
+/// How many samples are wanted.
+struct SampleCount {
+    std::size_t most;
+    /// So many that another round of rays is not worth its time; at most `most`.
+    std::size_t enough;
+};
+
+/// Scratch memory of sampling, kept between frames.
+struct SampleScratch {
+    ViewRays rays;
+    /// Known surfaces in the world.
+    std::vector<Surfel> discs;
+};
+
+/** Samples what the viewer sees of the receivers and the light shines on, within the focus region.
+
+    The visible points are the problem's own where it has any; otherwise view rays, spread evenly
+    over the picture, meet the receivers: their known surfaces, or else their boxes. A box that a
+    ray starts in is hit where the ray leaves it. A sample must face the light, n . l >= 0.05, as
+    pixels of which shadows are judged do.
+
+    Where there are more points than wanted, they are taken in an order of which each beginning is
+    spread over all of them, until there are enough: so one that comes or goes changes few samples.
+    A further round of rays goes on until there are as many as are enough.
+
+    @param liHull of the focus region, or a little more; samples lie within it
+    @param receiversInView the receivers that may be in view and lit, as the focus region's search
+    left them
+*/
+void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
+                const BoxSet& receiversInView, const SampleCount& count, SampleScratch& scratch,
+                std::vector<ViewSample>& samples);
+
+} // namespace Lixel

@@ -1,0 +1,78 @@
+#include "fit/technique/Optimal.h"
+
+#include "fit/technique/WarpSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace Lixel {
+namespace {
+
+/// Bounds of the options, so that bad ones cost neither the map nor the frame.
+constexpr int LeastEvaluations = 8;
+constexpr int MostEvaluations = 4096;
+constexpr int MostSamples = 4096;
+
+/// Part of the evaluations that a frame takes which follows another.
+constexpr int FollowingPart = 4;
+
+/// Direction in which the view's rays run in the light image at the region's centre; zero where
+/// they do not, as for a light along the view.
+Vec2 viewDirectionAt(const WarpContext& context) {
+    // d(xy / z) = (dxy - q dz) / z; for a directional light dz = 0.
+    const Vec3& direction = context.viewDirection;
+    return direction.head<2>() - direction.z() * context.region.liCentre;
+}
+
+/// Searches all directions and strengths.
+WarpSearch::Judged bestOfAll(const WarpContext& context, WarpSearch& search, int evaluations) {
+    WarpSearch::Judged best;
+    const auto consider = [&](const WarpSearch::Judged& judged) {
+        if (judged.cost < best.cost) best = judged;
+    };
+    // Along the view first, where near and far differ most.
+    int left = evaluations;
+    Vec2 direction = viewDirectionAt(context);
+    if (direction.norm() > 0.0) {
+        direction.normalize();
+        consider(search.along(direction, WarpSearch::GreatestSpread, evaluations / 3));
+        left -= evaluations / 3;
+    } else {
+        direction = Vec2::UnitX();
+    }
+    // Elsewhere there may be a better place to start from, above all where that found little.
+    const double length = std::max(best.spread.norm(), WarpSearch::ProbedSpread);
+    const int probes = left / 3;
+    for (int i = 1; i <= probes; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / (probes + 1);
+        consider(search.judge(
+            length * Vec2(std::cos(angle) * direction.x() - std::sin(angle) * direction.y(),
+                          std::sin(angle) * direction.x() + std::cos(angle) * direction.y())));
+    }
+    return search.around(best, left - probes);
+}
+
+WarpChoice optimalWarp(const WarpContext& context, const OptimalOptions& options) {
+    WarpSearch search(context,
+                      static_cast<std::size_t>(std::clamp(options.samples, 1, MostSamples)));
+    WarpSearch::Judged best;
+    if (search.usable()) {
+        const int evaluations = std::clamp(options.evaluations, LeastEvaluations, MostEvaluations);
+        const auto target = search.target();
+        best = target
+                   ? search.follow(*target, std::max(evaluations / FollowingPart, LeastEvaluations))
+                   : bestOfAll(context, search, evaluations);
+    }
+    return {search.warp(search.settle(best)), FitReason::None};
+}
+
+} // namespace
+
+ShadowFit fitOptimal(const ShadowProblem& problem, const OptimalOptions& options,
+                     FitState& state) noexcept {
+    return fitWithRule(problem, state,
+                       [&](const WarpContext& context) { return optimalWarp(context, options); });
+}
+
+} // namespace Lixel

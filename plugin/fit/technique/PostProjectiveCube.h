@@ -1,0 +1,32 @@
+#pragma once
+
+#include "fit/core/FitState.h"
+
+namespace Lixel {
+
+/// What a user may turn about the cube map of post-projective space.
+struct CubeOptions {
+    /// As PsmOptions::slideBack: 0 favours the near most, 1 makes near and far alike. In [0, ∞).
+    double slideBack = 0.25;
+};
+
+/** One face of Kozlov's cube map in post-projective space (2004, §14.2.2): one map of the view
+    volume's face through which its light rays leave. @see facesOfView
+
+    On the face, texels are to be as large as the viewer sees them: a ray's denominator is the depth
+    (from the slid-back viewer, Figure 14-6) at which it meets the face, row w of
+
+        C ((n . L) I - L nᵀ),
+
+    with C the viewer's clip matrix, L the homogeneous light and n the face, which is that of a
+    plane optimal map (Chong and Gortler 2004) of the face. Kozlov draws whole faces; here each is
+    focused on the receivers that it serves, by the shared fit.
+
+    @param problem one with a part that facesOfView made; any other gives the uniform map, as an
+    orthographic viewer does
+    @return one map, or the reason why there is none. @see ShadowFit
+*/
+LIXEL_API ShadowFit fitPostProjectiveFace(const ShadowProblem& problem, const CubeOptions& options,
+                                          FitState& state) noexcept;
+
+} // namespace Lixel

@@ -1,0 +1,167 @@
+#include "fit/technique/StableUniform.h"
+
+#include "fit/core/MapPlacement.h"
+#include "fit/focus/ViewVolume.h"
+#include "fit/problem/ShadowPart.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Lixel {
+namespace {
+
+/// Steps of the sphere's radius, relative to it. A float's view matrix makes it differ by 1e-7 from
+/// frame to frame, and a grid of texels that is counted from the world's origin with it.
+constexpr double RadiusStep = 1.0 / 1024.0;
+
+/// Steps of the search for the sphere's centre, of which each leaves two thirds of the interval:
+/// 5e-6 of it in the end.
+constexpr int CentreSteps = 30;
+
+/// Beyond the cone or the sphere, for what rounding adds to both.
+constexpr double Slack = 1e-6;
+
+/// Texels kept free for the rounding of positions to float. It may not depend on where receivers
+/// are; this is enough where they are as far from the viewer as 1000 texels are wide.
+constexpr double PositionBorder = 0.25;
+
+struct Sphere {
+    Vec3 wsCentre;
+    double radius;
+};
+
+/// A sphere around all that is in view of the problem's part; false for a view without end.
+/// It is found in view space, where it stays as it is while the viewer turns and moves.
+bool sphereInView(const ShadowProblem& problem, FitState& state, Sphere& sphere) {
+    ShadowViewer viewer = problem.viewer;
+    viewer.viewFromWorld = Mat4::Identity();
+    Box box;
+    if (!viewBounds(viewer, box)) return false;
+    ConvexVolume volume = viewVolume(viewer);
+    const Mat4& viewFromWorld = problem.viewer.viewFromWorld;
+    if (problem.part != nullptr)
+        for (const Plane& plane : problem.part->bounds()) {
+            const Vec3 vsNormal = viewFromWorld.topLeftCorner<3, 3>() * plane.normal;
+            volume.add(vsNormal, plane.offset - vsNormal.dot(viewFromWorld.topRightCorner<3, 1>()));
+        }
+    std::vector<Vec3>& points = state.scratch.wsPoints;
+    points.clear();
+    clipBox(box, volume, state.scratch.clip, points);
+    if (points.empty()) return false;
+
+    // The centre is looked for between the middles of the nearer and the farther half, where it is
+    // for all views that are alike on both sides.
+    double nearest = -points[0].z();
+    double farthest = nearest;
+    for (const Vec3& p : points) {
+        nearest = std::min(nearest, -p.z());
+        farthest = std::max(farthest, -p.z());
+    }
+    Vec3 sums[2] = {Vec3::Zero(), Vec3::Zero()};
+    double counts[2] = {0.0, 0.0};
+    for (const Vec3& p : points) {
+        const std::size_t half = -p.z() > (nearest + farthest) / 2.0 ? 1 : 0;
+        sums[half] += p;
+        counts[half] += 1.0;
+    }
+    const Vec3 begin = sums[0] / std::max(counts[0], 1.0);
+    const Vec3 way = counts[1] > 0.0 ? Vec3(sums[1] / counts[1] - begin) : Vec3(Vec3::Zero());
+    const auto radiusAt = [&](double t) {
+        double squared = 0.0;
+        for (const Vec3& p : points)
+            squared = std::max(squared, (p - begin - t * way).squaredNorm());
+        return std::sqrt(squared);
+    };
+    // Convex in t: the greatest of some distances.
+    double lower = 0.0;
+    double upper = 1.0;
+    for (int i = 0; i < CentreSteps; ++i) {
+        const double third = (upper - lower) / 3.0;
+        if (radiusAt(lower + third) < radiusAt(upper - third))
+            upper -= third;
+        else
+            lower += third;
+    }
+    const double t = (lower + upper) / 2.0;
+    const double radius = radiusAt(t) * (1.0 + Slack);
+    if (!std::isfinite(radius) || !(radius > 0.0)) return false;
+
+    // The last frame's where it is hardly larger.
+    double& steady = state.stableRadius;
+    if (!(steady >= radius) || steady > radius * (1.0 + 2.0 * RadiusStep))
+        steady = radius * (1.0 + RadiusStep);
+    const Vec3 centre = begin + t * way;
+    sphere = {viewFromWorld.topLeftCorner<3, 3>().transpose() *
+                  (centre - viewFromWorld.topRightCorner<3, 1>()),
+              steady};
+    return true;
+}
+
+/// A square of the light image that a map shows, from its middle on, in the map's own axes.
+Mat3 squareMap(const Vec2& axis, const Vec2& middle, double half, const Vec2& inner,
+               const Vec2& size) {
+    const Vec2 scale = inner.cwiseQuotient(size) / half;
+    Mat3 map = Mat3::Identity();
+    map.topLeftCorner<2, 2>() << axis.x(), axis.y(), -axis.y(), axis.x();
+    map.topRightCorner<2, 1>() = -middle;
+    map.topRows<2>() = scale.asDiagonal() * map.topRows<2>().eval();
+    return map;
+}
+
+/// The map's x axis in the light image: the last frame's, carried along with the light, so that a
+/// sun that moves turns the texels with it and no further. Light space itself may turn at once.
+Vec2 steadyAxis(const LightImage& image, FitState& state) {
+    // Of a vector that was all of length 1; a light that has turned by a right angle is another.
+    constexpr double LeastLength = 0.5;
+    // Where nothing moved, nothing may creep.
+    constexpr double Same = 1e-12;
+    Vec2 axis = Vec2::UnitX();
+    if (state.wsMapAxis) {
+        const Vec2 kept = image.lsFromDirection(*state.wsMapAxis).head<2>();
+        if (std::abs(kept.norm() - 1.0) < Same) return kept;
+        if (kept.norm() > LeastLength) axis = kept.normalized();
+    }
+    state.wsMapAxis = image.lsFromWs().transpose() * Vec3(axis.x(), axis.y(), 0.0);
+    return axis;
+}
+
+} // namespace
+
+WarpChoice stableMap(const WarpContext& context) {
+    const ShadowProblem& problem = context.problem;
+    const LightImage& image = context.image;
+    const Vec2 size(problem.mapWidth, problem.mapHeight);
+    const double border = leastBorder(problem.filterRadius) + PositionBorder;
+    WarpChoice choice;
+    if (!image.directional()) {
+        // Not narrower than what leaves texels to a float.
+        const double half = std::max(std::tan(problem.light.outerHalfAngle) * (1.0 + Slack),
+                                     LeastTexel * size.maxCoeff());
+        // In light space's own axes: its planes around the cone fit into this square alone.
+        choice.homography =
+            squareMap(Vec2::UnitX(), Vec2::Zero(), half, size - Vec2::Constant(2.0 * border), size);
+        return choice;
+    }
+    Sphere sphere;
+    // A texel more: the middle is up to half of one beside the sphere's.
+    const Vec2 inner = size - Vec2::Constant(2.0 * border + 1.0);
+    if (!(inner.minCoeff() > 0.0) || !sphereInView(problem, context.state, sphere)) {
+        choice.reason = FitReason::ViewWithoutEnd;
+        return choice;
+    }
+    const Vec2 axis = steadyAxis(image, context.state);
+    const auto turned = [&](const Vec3& ls) {
+        return Vec2(axis.dot(ls.head<2>()), cross(axis, ls.head<2>()));
+    };
+    // Texels are counted from the world's own origin.
+    const Vec2 origin = turned(image.lsFromDirection(problem.wsOrigin));
+    const Vec2 middle = turned(image.lsFromPoint(sphere.wsCentre));
+    const Vec2 texel = (2.0 * sphere.radius * inner.cwiseInverse()).eval();
+    const Vec2 snapped =
+        (origin + middle).cwiseQuotient(texel).array().round().matrix().cwiseProduct(texel) -
+        origin;
+    choice.homography = squareMap(axis, snapped, sphere.radius, inner, size);
+    return choice;
+}
+
+} // namespace Lixel

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "fit/core/FitState.h"
+
+namespace Lixel {
+
+/// What a user may turn about uniform shadow maps.
+struct UniformOptions {
+    /// Steady texels instead of small ones. @see fitUniform
+    bool stable = false;
+};
+
+/** The uniform shadow map (Williams 1978): warp 0.
+
+    Focused: texels are equal rectangles on any plane across the light, the focus region's smallest
+    rectangle in as many parts as the map has texels. What a warped technique must not do worse
+    than.
+
+    Stable (the "stable light frustum" of Valient, ShaderX6 2008, which cascades on large landscapes
+    use): the map does not depend on where receivers and casters are, so that shadows' edges stay as
+    they are while the viewer turns and moves. For a directional light it is a square across the
+    sphere around all that is in view (around the slice, with cascades): the sphere has one size
+    however the viewer turns, and its centre moves in whole texels of a grid that is fixed in the
+    world. For a spot it is all of the cone. A view without end, which has no such sphere, gets the
+    focused map and the reason ViewWithoutEnd. Bodies of the view's own size, or a light that moves,
+    change the map of course.
+
+    @return one map, or the reason why there is none. @see ShadowFit
+*/
+LIXEL_API ShadowFit fitUniform(const ShadowProblem& problem, const UniformOptions& options,
+                               FitState& state) noexcept;
+
+/// The focused one.
+LIXEL_API ShadowFit fitUniform(const ShadowProblem& problem, FitState& state) noexcept;
+
+} // namespace Lixel

@@ -1,0 +1,140 @@
+/** The contract of a fit, for lights in several maps: every shadowed point is in the map of the
+    part that serves it. */
+#include "fit/Oracle.h"
+
+#include "fit/parts/CascadeSplits.h"
+#include "fit/parts/LightPartition.h"
+#include "fit/technique/PostProjectiveCube.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <iomanip>
+#include <optional>
+
+using namespace Lixel;
+using namespace Lixel::Test;
+
+namespace {
+
+constexpr std::size_t RaysPerScene = 100;
+
+/// A way to share a light among maps.
+struct Division {
+    const char* name;
+    /// Whether the light is made a point light.
+    bool point;
+    LightPartition (*divide)(const ShadowProblem& problem);
+};
+
+LightPartition slices(const ShadowProblem& problem) {
+    CascadeMemory memory;
+    std::vector<double> splits;
+    cascadeSplits(problem, 3, {}, memory, splits);
+    return sliceView(problem.viewer, problem.light, splits);
+}
+
+LightPartition cube(const ShadowProblem& problem) {
+    return cubeAround(problem.light);
+}
+
+LightPartition faces(const ShadowProblem& problem) {
+    AimScratch scratch;
+    return facesOfView(problem.viewer, problem.light, scratch);
+}
+
+LightPartition aimed(const ShadowProblem& problem) {
+    AimScratch scratch;
+    return aimedSpot(problem, scratch);
+}
+
+struct Combination {
+    std::string name;
+    Division division;
+    ShadowFit (*fit)(const ShadowProblem&, FitState&);
+};
+
+std::vector<Combination> combinations() {
+    std::vector<Combination> all;
+    const auto add = [&](const Division& division, const Technique& technique) {
+        all.push_back({std::string(division.name) + technique.name, division, technique.fit});
+    };
+    const Technique face = {"Face", [](const ShadowProblem& problem, FitState& state) {
+                                return fitPostProjectiveFace(problem, {}, state);
+                            }};
+    for (const Technique& technique : techniques())
+        add({"Slices", false, slices}, technique);
+    add({"Faces", false, faces}, face);
+    add({"FacesOfAPoint", true, faces}, face);
+    for (const Technique& technique : techniques()) {
+        const std::string name = technique.name;
+        if (name != "Uniform" && name != "StableUniform" && name != "Optimal") continue;
+        add({"Cube", true, cube}, technique);
+        add({"Aimed", true, aimed}, technique);
+    }
+    return all;
+}
+
+void PrintTo(const Combination& combination, std::ostream* out) {
+    *out << combination.name;
+}
+
+class PartsContract : public testing::TestWithParam<Combination> {};
+
+double insideBorder(const Vec2& texel, const Scene& scene) {
+    const Vec2 size(scene.mapWidth, scene.mapHeight);
+    return std::min(texel.minCoeff(), (size - texel).minCoeff());
+}
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(EveryDivision, PartsContract, testing::ValuesIn(combinations()), ByName{});
+
+TEST_P(PartsContract, HoldsForEveryShadowedPoint) {
+    std::size_t checked = 0;
+    const bool holds = rc::check([&] {
+        Scene scene = *anyScene();
+        Dice dice(*anySeed());
+        if (GetParam().division.point) {
+            if (scene.light.kind == LightKind::Directional)
+                scene.light.wsPosition = eyeOf(scene.viewer) + scene.size * dice.cube();
+            scene.light.kind = LightKind::Point;
+            scene.light.nearDistance = 1e-2 * scene.size;
+        }
+        RC_LOG() << std::setprecision(17) << scene << "\n";
+        const ShadowProblem whole = scene.problem();
+        const LightPartition parts = GetParam().division.divide(whole);
+        // An aimed spot may be too wide; it is tested where it says so.
+        if (parts.count == 0) return;
+        std::array<std::optional<ShadowFit>, LightPartition::Capacity> fits;
+        for (const ShadowedPoint& point : shadowedPoints(scene, dice, RaysPerScene)) {
+            const std::size_t i = parts.serving(point.wsReceiver);
+            if (!fits[i]) {
+                FitState state;
+                fits[i] = GetParam().fit(problemOf(whole, parts.parts[i]), state);
+            }
+            const ShadowFit& fit = *fits[i];
+            RC_LOG() << "receiver " << point.wsReceiver.transpose() << " occluder "
+                     << point.wsOccluder.transpose() << " part " << i << " of " << parts.count
+                     << ": " << toString(fit.reason) << " texel "
+                     << texelOf(fit.clipFromWorld, scene, point.wsReceiver).transpose() << "\n";
+            RC_ASSERT(fit.hasMap());
+            const Mat4 rounded = roundedToFloat(fit.clipFromWorld);
+            const Vec2 texel = texelOf(rounded, scene, point.wsReceiver);
+            RC_ASSERT(clipOf(rounded, point.wsReceiver).w() > 0.0);
+            RC_ASSERT(insideBorder(texel, scene) >= scene.filterRadius + 1.0);
+
+            const Vec4 occluder = clipOf(fit.clipFromWorld, point.wsOccluder);
+            RC_ASSERT(occluder.w() > 0.0);
+            RC_ASSERT(occluder.z() <= (1.0 + 1e-9) * occluder.w());
+            RC_ASSERT(scene.depthClamp || occluder.z() >= -(1.0 + 1e-9) * occluder.w());
+            const Vec2 apart = texelOf(fit.clipFromWorld, scene, point.wsOccluder) -
+                               texelOf(fit.clipFromWorld, scene, point.wsReceiver);
+            RC_ASSERT(apart.norm() <= 0.01);
+            ++checked;
+        }
+    });
+    EXPECT_TRUE(holds);
+    EXPECT_GT(checked, 1000U);
+}

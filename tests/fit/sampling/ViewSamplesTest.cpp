@@ -1,0 +1,67 @@
+// How many samples of the view there are, and how they come and go.
+#include "fit/Problems.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace Lixel;
+using namespace Lixel::Test;
+
+namespace {
+
+constexpr std::size_t Most = 64;
+constexpr std::size_t Enough = 32;
+
+/// A wall across the view, in the light of a sun behind the viewer, that fills a part of the
+/// picture's width and of its height.
+std::vector<ViewSample> samplesOfWall(double width, double height) {
+    constexpr double Distance = 20.0;
+    Scene scene;
+    scene.viewer.clipFromView = perspective(1.0, 1.5, 0.1, 100.0);
+    scene.light.wsDirection = Vec3(0.0, 0.0, -1.0);
+    const double tangent = std::tan(0.5);
+    const Vec3 half(Distance * 1.5 * tangent * width, Distance * tangent * height, 0.0);
+    scene.receivers.add({Vec3(0.0, 0.0, -Distance), half});
+    scene.casters.add({Vec3(0.0, 0.0, 10.0), Vec3(100.0, 100.0, 1.0)});
+    return samplesOf(scene.problem(), {.most = Most, .enough = Enough});
+}
+
+/// How many of `a` are not among `b`.
+std::size_t countOthers(const std::vector<ViewSample>& a, const std::vector<ViewSample>& b) {
+    return static_cast<std::size_t>(std::ranges::count_if(a, [&](const ViewSample& sample) {
+        return std::ranges::none_of(b, [&](const ViewSample& other) {
+            return (sample.liPoint - other.liPoint).norm() < 1e-9;
+        });
+    }));
+}
+
+} // namespace
+
+TEST(ViewSamples, AreAsManyAsWantedOfWhatFillsThePicture) {
+    EXPECT_EQ(samplesOfWall(1.1, 1.1).size(), Most);
+    EXPECT_EQ(samplesOfWall(0.7, 0.7).size(), Most);
+}
+
+TEST(ViewSamples, AreEnoughOfWhatFillsATenth) {
+    EXPECT_EQ(samplesOfWall(0.32, 0.32).size(), Enough);
+    // One round of rays finds more.
+    const std::size_t found = samplesOfWall(0.5, 0.5).size();
+    EXPECT_GT(found, Enough);
+    EXPECT_LT(found, Most);
+    // Of a hundredth, two rounds of 180 rays find as many as there are.
+    EXPECT_EQ(samplesOfWall(0.1, 0.1).size(), 4U);
+    EXPECT_EQ(samplesOfWall(1.0, 0.0).size(), 0U);
+}
+
+TEST(ViewSamples, ComeAndGoFewAtATime) {
+    std::vector<ViewSample> last = samplesOfWall(0.2, 0.5);
+    std::size_t most = 0;
+    for (double width = 0.2; width < 0.9; width += 0.0005) {
+        const std::vector<ViewSample> samples = samplesOfWall(width, 0.5);
+        most = std::max(most, countOthers(samples, last) + countOthers(last, samples));
+        last = samples;
+    }
+    EXPECT_LE(most, 4U);
+    EXPECT_GT(last.size(), Enough);
+}
