@@ -3,6 +3,7 @@
 // OgreRenderQueueSortingGrouping.h of 14 needs it and does not include it.
 #include <OgreIteratorWrapper.h>
 
+#include <OgreGpuProgramParams.h>
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreLight.h>
 #include <OgreRenderQueueSortingGrouping.h>
@@ -167,6 +168,16 @@ inline bool canDrawShadowsOf([[maybe_unused]] const Ogre::Light& light) {
             (!hasAngle || std::isfinite(light.getSpotlightOuterAngle().valueRadians())));
 #else
     return true;
+#endif
+}
+
+/// The texture unit that a sampler is set to. Since 13 samplers are apart from other constants.
+inline int textureUnitOf(const Ogre::GpuProgramParameters& parameters,
+                         const Ogre::GpuConstantDefinition& sampler) {
+#if OGRE_VERSION_MAJOR >= 13
+    return *parameters.getRegPointer(sampler.physicalIndex);
+#else
+    return *parameters.getIntPointer(sampler.physicalIndex);
 #endif
 }
 

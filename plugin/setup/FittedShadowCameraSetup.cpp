@@ -17,9 +17,11 @@
 
 #include <OgreCamera.h>
 #include <OgreException.h>
+#include <OgreGpuProgramManager.h>
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreLight.h>
 #include <OgreLogManager.h>
+#include <OgreMaterialManager.h>
 #include <OgreRenderTexture.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
@@ -72,6 +74,19 @@ void logWarning(const Ogre::String& message) {
     Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
 }
 
+/// Says once that Lixel's scripts are there and the plugin is not, which fills their parameters.
+void warnWithoutPlugin() {
+    static bool isTold = false;
+    if (isTold || Ogre::GpuProgramManager::getSingleton().getAvailableSharedParameters().count(
+                      "Lixel/Caster") != 0)
+        return;
+    if (!Ogre::MaterialManager::getSingleton().resourceExists("Lixel/Caster")) return;
+    isTold = true;
+    logWarning("Lixel's materials are loaded and Plugin_Lixel is not: they show no shadows without "
+               "it. Name it in plugins.cfg, or call Root::loadPlugin before the resource groups "
+               "are initialised");
+}
+
 /// What the log is told of a light beside reasons, as kinds of news behind these.
 enum Trouble : unsigned {
     TooFewTextures = 24,
@@ -111,8 +126,9 @@ bool isOnlySun(const Ogre::Light& light, const Ogre::SceneManager& sceneManager)
 std::vector<ShadowTarget> targetsFrom(const Ogre::Camera& shadowCamera,
                                       Ogre::SceneManager& sceneManager) {
     std::vector<ShadowTarget> targets = shadowTargetsOf(sceneManager);
-    const auto own =
-        std::ranges::find(targets, shadowCamera.getViewport()->getTarget(), &ShadowTarget::target);
+    const Ogre::Viewport* const viewport = shadowCamera.getViewport();
+    const auto own = std::ranges::find(
+        targets, viewport != nullptr ? viewport->getTarget() : nullptr, &ShadowTarget::target);
     targets.erase(targets.begin(), own);
     return targets;
 }
@@ -141,12 +157,24 @@ double unitOf(const ShadowFit& fit) {
     return std::exp2(std::round(-std::log2(determinant) / 3.0));
 }
 
+/** Near and far distance of the shadow camera.
+
+    The matrices do not use them, but casters and receivers of others may. A sun's camera stands at
+    the viewer, with casters behind it: there is no distance to give. Without a map what is white
+    has to be beyond everything. Never 0: the octree skips the far end's test then. */
+Vec2 clipDistances(const ShadowFit& fit) {
+    constexpr double Endless = 1e9;
+    if (!fit.hasMap()) return {1.0, Endless};
+    const bool isLocal = !fit.directional && fit.lsNear > 0.0 && fit.lsFar > fit.lsNear;
+    return isLocal ? Vec2(fit.lsNear, fit.lsFar) : Vec2(1.0, 2.0);
+}
+
 /// Puts the fit's matrices into the shadow camera.
 void place(Ogre::Camera& camera, const ShadowFit& fit, const Vec3& wsOrigin) {
     // With camera-relative rendering OGRE subtracts the camera's position and drops the view
     // matrix' translation: the camera stands where the fit has its eye, so both are exact.
     const Vec3 wsEye = wsOrigin + fit.wsEye;
-    camera.getParentSceneNode()->setPosition(toOgre(wsEye));
+    if (Ogre::SceneNode* const node = camera.getParentSceneNode()) node->setPosition(toOgre(wsEye));
     const double unit = unitOf(fit);
     Mat4 view = Mat4::Identity();
     view.topLeftCorner<3, 3>() = fit.lsFromWs / unit;
@@ -155,9 +183,9 @@ void place(Ogre::Camera& camera, const ShadowFit& fit, const Vec3& wsOrigin) {
     Mat4 clipFromView = fit.clipFromLight;
     clipFromView.leftCols<3>() *= unit;
     camera.setCustomProjectionMatrix(true, toOgre(clipFromView));
-    // Neither is used by the matrices; but the octree skips the far end's test where far is 0.
-    camera.setNearClipDistance(1);
-    camera.setFarClipDistance(2);
+    const Vec2 clip = clipDistances(fit) / unit;
+    camera.setNearClipDistance(static_cast<Ogre::Real>(clip[0]));
+    camera.setFarClipDistance(static_cast<Ogre::Real>(clip[1]));
 }
 
 } // namespace
@@ -185,6 +213,15 @@ struct FittedShadowCameraSetup::LightMemory {
     /// Of each map.
     std::array<CasterVolume, LightPartition::Capacity> volumes;
     unsigned long lastFrame = 0;
+
+    LightMemory() = default;
+    LightMemory(const LightMemory&) = delete;
+    LightMemory& operator=(const LightMemory&) = delete;
+    /// The last reference to a setup may go between the preparation of its map and the pass.
+    ~LightMemory() {
+        for (const CasterVolume& volume : volumes)
+            releaseShadowPass(volume);
+    }
 };
 
 /// Goes with its scene manager: caster volumes are OGRE's own frustums, which must not outlive it.
@@ -347,6 +384,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     // The camera's scene manager is the one we were handed, and not const.
     Ogre::SceneManager& sceneManager = *viewer->getSceneManager();
     guardLights(sceneManager);
+    warnWithoutPlugin();
     const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
     Memory::Scene& scene = mMemory->of(sceneManager, frame);
     const Identity identity = identityOf(*light);
@@ -354,18 +392,19 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     LightNews& news = scene.news[identity];
     if (iteration == 0) memory.maps = mapsOf(*light, *shadowCamera, sceneManager, news);
     const std::size_t maps = memory.maps;
+    const bool isDrawn = drawsShadowTexture(*shadowCamera, sceneManager);
     if (iteration >= maps) {
         // Under modulative shadows OGRE may take this camera for another light's, and adds a
         // texture of its own to the receiver where a spot's camera has no projection of ours.
         place(*shadowCamera, ShadowFit{}, toDouble(viewer->getDerivedPosition()));
-        return skipShadowPass(*shadowCamera);
+        if (isDrawn) skipShadowPass(*shadowCamera);
+        return;
     }
 
     const double shadowDistance = light->getShadowFarDistance();
     const TimedSurvey& timed = surveyFor(*viewer, *viewport, shadowDistance);
     const Survey& survey = timed.survey;
 
-    const Ogre::Viewport& map = *shadowCamera->getViewport();
     ShadowProblem problem;
     problem.viewer = survey.viewer();
     problem.viewer.shadowDistance = shadowDistance;
@@ -376,8 +415,10 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
         problem.casterShapes = &memory.search.shapes();
     }
     problem.surfaces = survey.surfaces();
-    problem.mapWidth = map.getActualWidth();
-    problem.mapHeight = map.getActualHeight();
+    if (const Ogre::Viewport* const map = shadowCamera->getViewport()) {
+        problem.mapWidth = map->getActualWidth();
+        problem.mapHeight = map->getActualHeight();
+    }
     problem.filterRadius = mFilterRadius;
     problem.depthClamp = canClampDepth();
     problem.wsOrigin = survey.wsOrigin();
@@ -403,11 +444,11 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     const double fitTime = since(fitBegin);
 
     place(*shadowCamera, result, survey.wsOrigin());
-    if (result.hasMap()) {
+    if (isDrawn && result.hasMap()) {
         CasterVolume& volume = memory.volumes.at(iteration);
         volume.set(result, survey.wsOrigin());
         armShadowPass(*shadowCamera, volume);
-    } else {
+    } else if (isDrawn) {
         skipShadowPass(*shadowCamera);
     }
     // A light that happens to shadow nothing is no news; input that cannot be drawn is.
@@ -418,6 +459,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
         logWarning("'" + survey.unboundedName() + "' has no bounds; the shadow map of light '" +
                    light->getName() + "' is focused as if it were everywhere in view");
 
+    if (!isDrawn) return; // nobody sees it
     publishShadowMap({.sceneManager = sceneManager,
                       .viewer = *viewer,
                       // OGRE hands out its own, mutable light as const.

@@ -2,6 +2,7 @@
 
 #include "scene/OgreMath.h"
 #include "setup/ShadowMapObserver.h"
+#include "setup/ShadowPass.h"
 
 #include <Eigen/LU>
 
@@ -64,6 +65,7 @@ void ObservedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager* sceneM
     mInner->getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera, iteration);
     const std::chrono::duration<double, std::micro> passed =
         std::chrono::steady_clock::now() - begin;
+    if (!drawsShadowTexture(*shadowCamera, *viewer->getSceneManager())) return;
 
     ShadowFit fit;
     fit.reason = FitReason::None;

@@ -9,8 +9,10 @@
 #include <OgreRoot.h>
 #include <OgreViewport.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <vector>
 
 namespace Lixel {
 namespace {
@@ -19,12 +21,25 @@ namespace {
 /// listeners when it goes.
 class ShadowPassListener : public Ogre::RenderTargetListener {
 public:
-    void arm(Ogre::Camera& camera) {
+    /// @param volume the camera's culling frustum from now on, or null to leave it as it is
+    void arm(Ogre::Camera& camera, Ogre::Frustum* volume) {
         Ogre::RenderTarget* const target = camera.getViewport()->getTarget();
         // The first time is what has to come back.
-        mArmed[target].try_emplace(&camera, camera.getCullingFrustum());
+        Armed& armed =
+            mArmed[target].try_emplace(&camera, Armed{camera.getCullingFrustum()}).first->second;
+        armed.volume = volume;
+        if (volume != nullptr) camera.setCullingFrustum(volume);
         target->addListener(this); // once, however often it is called
         mTargets.insert(target->getName());
+    }
+
+    void release(const Ogre::Frustum& volume) {
+        for (auto& [target, cameras] : mArmed)
+            for (auto& [camera, armed] : cameras)
+                if (armed.volume == &volume) {
+                    camera->setCullingFrustum(armed.before);
+                    armed.volume = nullptr;
+                }
     }
 
     void forget() {
@@ -45,8 +60,8 @@ public:
         const auto armed = mArmed.find(event.source);
         if (armed == mArmed.end()) return;
         setDepthClamp(false);
-        for (const auto& [camera, cullingFrustum] : armed->second) {
-            camera->setCullingFrustum(cullingFrustum);
+        for (const auto& [camera, state] : armed->second) {
+            camera->setCullingFrustum(state.before);
             camera->getViewport()->setAutoUpdated(true);
         }
         mArmed.erase(armed);
@@ -57,9 +72,13 @@ private:
         if (canClampDepth()) Ogre::Root::getSingleton().getRenderSystem()->_setDepthClamp(enabled);
     }
 
-    /// Cameras that will draw into a target, and the culling frusta that they had. Several may share
-    /// one since OGRE 14, which also gives each a frustum of its own and expects it to stay.
-    std::map<Ogre::RenderTarget*, std::map<Ogre::Camera*, Ogre::Frustum*>> mArmed;
+    struct Armed {
+        Ogre::Frustum* before = nullptr; ///< the culling frustum that comes back
+        Ogre::Frustum* volume = nullptr; ///< what it is meanwhile
+    };
+    /// Cameras that will draw into a target. Several may share one since OGRE 14, which also gives
+    /// each a culling frustum of its own and expects it to stay.
+    std::map<Ogre::RenderTarget*, std::map<Ogre::Camera*, Armed>> mArmed;
     /// Names of all that it listens to. Some may have gone.
     std::set<Ogre::String> mTargets;
 };
@@ -82,15 +101,26 @@ void forgetShadowPasses() {
 }
 
 void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum) {
-    listener().arm(shadowCamera);
-    shadowCamera.setCullingFrustum(&cullingFrustum);
+    listener().arm(shadowCamera, &cullingFrustum);
+}
+
+void releaseShadowPass(const Ogre::Frustum& cullingFrustum) {
+    listener().release(cullingFrustum);
+}
+
+bool drawsShadowTexture(const Ogre::Camera& camera, Ogre::SceneManager& sceneManager) {
+    const Ogre::Viewport* const viewport = camera.getViewport();
+    if (viewport == nullptr) return false;
+    const std::vector<ShadowTarget> targets = shadowTargetsOf(sceneManager);
+    return std::ranges::find(targets, viewport->getTarget(), &ShadowTarget::target) !=
+           targets.end();
 }
 
 void skipShadowPass(Ogre::Camera& shadowCamera) {
     Ogre::Viewport* const viewport = shadowCamera.getViewport();
     clearViewport(*viewport, Ogre::FBT_COLOUR | Ogre::FBT_DEPTH, Ogre::ColourValue::White);
     viewport->setAutoUpdated(false);
-    listener().arm(shadowCamera);
+    listener().arm(shadowCamera, nullptr);
 }
 
 } // namespace Lixel

@@ -5,6 +5,7 @@
 namespace Ogre {
 class Camera;
 class Frustum;
+class SceneManager;
 } // namespace Ogre
 
 namespace Lixel {
@@ -19,6 +20,13 @@ namespace Lixel {
 /// Casters nearer than the near plane are clamped onto it instead of clipped, where the render
 /// system can; and until after the pass another frustum decides what the camera draws.
 void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
+
+/// A culling frustum is about to go: no camera that waits for its pass keeps it.
+void releaseShadowPass(const Ogre::Frustum& cullingFrustum);
+
+/// Whether a camera draws into one of the scene manager's shadow textures. Applications also ask
+/// setups for the matrices alone, with a camera of their own.
+bool drawsShadowTexture(const Ogre::Camera& camera, Ogre::SceneManager& sceneManager);
 
 /// The texture is cleared to "lit" and no caster is drawn into it.
 void skipShadowPass(Ogre::Camera& shadowCamera);

@@ -2,6 +2,7 @@
 
 #include "TestStage.h"
 
+#include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/OptimalShadowCameraSetup.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 
@@ -147,6 +148,56 @@ TEST(Sharing, OgresOwnSetupsFollowUndisturbed) {
 
 /// OGRE 13.6 and newer give each shadow camera a culling frustum of its own, and crash where it is
 /// gone in the next frame.
+/// As OGRE's deferred shading sample: a camera of its own, in the main viewport.
+TEST(Sharing, ACameraOfTheApplicationsGetsMatricesAlone) {
+    BoxOnGround scene;
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    scene.stage.drawFrame();
+    LastMap published;
+    const int before = published.count;
+    Ogre::Frustum* culling = nullptr;
+    {
+        Ogre::Camera own("own", &manager);
+        for (Ogre::Viewport* viewport :
+             {&scene.stage.viewport(), static_cast<Ogre::Viewport*>(nullptr)}) {
+            own._notifyViewport(viewport);
+            scene.stage.light().getCustomShadowCameraSetup()->getShadowCamera(
+                &manager, &scene.stage.camera(), &scene.stage.viewport(), &scene.stage.light(),
+                &own, 0);
+            EXPECT_TRUE(own.isCustomProjectionMatrixEnabled());
+            EXPECT_EQ(own.getCullingFrustum(), culling);
+        }
+    }
+    EXPECT_EQ(published.count, before);
+    EXPECT_TRUE(scene.stage.viewport().isAutoUpdated());
+    EXPECT_LT(scene.nextFrameError().error, 0.5) << "the window is drawn as before";
+}
+
+/// Drops the last reference to a light's setup between the preparation of its map and its drawing.
+class DropsSetup : public SceneManagerListener {
+public:
+    explicit DropsSetup(Ogre::SceneManager& manager) : mManager(manager) {
+        addSceneManagerListener(mManager, *this);
+    }
+    ~DropsSetup() override { removeSceneManagerListener(mManager, *this); }
+    void shadowTextureCasterPreViewProj(Ogre::Light* light, Ogre::Camera*, std::size_t) override {
+        light->resetCustomShadowCameraSetup();
+        ++count;
+    }
+    int count = 0;
+
+private:
+    Ogre::SceneManager& mManager;
+};
+
+TEST(Sharing, TheLastReferenceToASetupMayGoBeforeItsPass) {
+    BoxOnGround scene;
+    DropsSetup drops(scene.stage.sceneManager());
+    scene.stage.drawFrame();
+    scene.stage.drawFrame();
+    EXPECT_GT(drops.count, 0);
+}
+
 TEST(Sharing, AShadowCamerasCullingFrustumIsBackAfterItsPass) {
     BoxOnGround scene;
     scene.stage.drawFrame();
