@@ -110,6 +110,7 @@ void MaterialCheck::beginFrame(const std::string& scheme) {
     mCasters.clear();
     mDrawn.clear();
     mCounted.clear();
+    mUnitsSeen.clear();
     mMaps.clear();
     mWrongFormats.clear();
     listen(mLooks);
@@ -150,12 +151,10 @@ void MaterialCheck::checkQueue(const std::set<const Ogre::Light*>& lightsWithMap
 
 void MaterialCheck::checkLights(const std::set<const Ogre::Light*>& withMaps) {
     const std::size_t textures = mManager.getShadowTextureConfigList().size();
-    std::size_t lights = 0;
     std::size_t needed = 0;
     for (const Ogre::Light* light : mManager._getLightsAffectingFrustum()) {
         if (!light->getCastShadows()) continue;
         const bool hasTexture = needed < textures;
-        ++lights;
         needed += mManager.getShadowTextureCountPerLightType(light->getType());
         if (hasTexture && mDrawsLixelsCasters && withMaps.count(light) == 0)
             say("light " + quoted(light->getName()) +
@@ -166,8 +165,8 @@ void MaterialCheck::checkLights(const std::set<const Ogre::Light*>& withMaps) {
     // Numbers of lights come and go; once is enough.
     if (needed > textures && !std::exchange(mSaidTooFewTextures, true))
         say("scene manager " + quoted(mManager.getName()) + " has " + std::to_string(textures) +
-            " shadow textures, and the " + std::to_string(lights) +
-            " lights that cast shadows here take " + std::to_string(needed) +
+            " shadow textures, and the lights that cast shadows here take " +
+            std::to_string(needed) +
             ": the last ones get fewer than they need, or none "
             "(SceneManager::setShadowTextureCount)");
 }
@@ -198,7 +197,8 @@ void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
         return;
     }
     if (mManager.isShadowTechniqueIntegrated() && groupReceives && pass.getLightingEnabled() &&
-        technique.getParent()->getReceiveShadows() && !readsShadowMap(*technique.getParent()))
+        technique.getParent()->getReceiveShadows() && !readsShadowMap(*technique.getParent()) &&
+        !isStandIn(pass))
         say("material " + quoted(materialOf(pass)) +
             " reads no shadow map, so nothing casts shadows on it: under an integrated shadow "
             "technique use Lixel/Surface/Integrated, or give it texture units of content_type "
@@ -209,7 +209,12 @@ void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
 void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
     const auto check = [&](const std::string& program,
                            const Ogre::GpuProgramParametersSharedPtr& parameters) {
-        for (const std::string& wrong : findWrongBindings(*parameters))
+        const std::vector<std::string> wrongs = findWrongBindings(*parameters);
+        if (!wrongs.empty() && Ogre::StringUtil::startsWith(program, "Lixel/", false))
+            return say("Lixel's own programs lack what the plugin makes: its scripts were read "
+                       "before it was loaded (Root::loadPlugin comes before "
+                       "initialiseAllResourceGroups), or are not this version's");
+        for (const std::string& wrong : wrongs)
             say("program " + quoted(program) + " of material " + quoted(materialOf(pass)) + ": " +
                 wrong + Manual);
     };
@@ -219,9 +224,12 @@ void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
         check(pass.getFragmentProgramName(), pass.getFragmentProgramParameters());
 }
 
-void MaterialCheck::checkUnits(const Ogre::Pass& pass) {
+void MaterialCheck::checkUnits(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
+    // OGRE lends a surface's units to the scene manager's receiver.
+    const Ogre::Material* const worn = renderable.getMaterial().get();
+    if (worn == nullptr || !mUnitsSeen.emplace(&pass, worn).second) return;
     for (const std::string& wrong : findWrongUnits(pass))
-        say("material " + quoted(materialOf(pass)) + ": " + wrong + Manual);
+        say("material " + quoted(worn->getName()) + ": " + wrong + Manual);
 }
 
 void MaterialCheck::checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
@@ -301,8 +309,8 @@ void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const
     if (mDrawn.insert(pass).second) {
         checkPrograms(*pass);
         if (stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS) checkReceiver(*pass);
-        if (mManager.isShadowTechniqueIntegrated()) checkUnits(*pass);
     }
+    checkUnits(*pass, *renderable);
     if (stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS) checkBending(*pass, *renderable);
     if (lights != nullptr && mManager.isShadowTechniqueIntegrated()) checkReads(*pass, *lights);
 }

@@ -11,6 +11,7 @@
 
 namespace Ogre {
 class Light;
+class Material;
 class Pass;
 class SceneManager;
 class Texture;
@@ -60,7 +61,7 @@ private:
     void checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights);
     void checkSurface(const Ogre::Pass& pass, bool groupReceives);
     void checkPrograms(const Ogre::Pass& pass);
-    void checkUnits(const Ogre::Pass& pass);
+    void checkUnits(const Ogre::Pass& pass, Ogre::Renderable& renderable);
     void checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable);
     void checkCasters();
     void checkLights(const std::set<const Ogre::Light*>& withMaps);
@@ -78,6 +79,9 @@ private:
     std::set<const Ogre::Pass*> mDrawn;
     /// Of those, with each light that they were drawn with: whose maps were counted.
     std::set<std::pair<const Ogre::Pass*, const Ogre::Light*>> mCounted;
+    /// Of this frame's passes, with each material that they were drawn for: whose units were looked
+    /// at.
+    std::set<std::pair<const Ogre::Pass*, const Ogre::Material*>> mUnitsSeen;
     struct LightMaps {
         std::size_t all = 0;  ///< that it has textures for
         std::size_t used = 0; ///< up to the last one that shows anything

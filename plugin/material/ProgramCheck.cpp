@@ -3,8 +3,10 @@
 #include "fit/parts/LightPartition.h"
 #include "material/ShadowParameters.h"
 #include "material/SharedParameters.h"
+#include "scene/OgreVersions.h"
 
 #include <OgrePass.h>
+#include <OgreTexture.h>
 #include <OgreTextureUnitState.h>
 
 #include <algorithm>
@@ -18,6 +20,7 @@ namespace {
 constexpr std::string_view Prefix = "lixel";
 const char* const CasterDepth = "lixelCasterDepth";
 const std::string Sampler = "shadowMap";
+const char* const MapIsIn = "OGRE puts that map into";
 
 struct MapUniform {
     std::string_view name; ///< of the first map; the others' end with the map's index
@@ -148,7 +151,7 @@ std::optional<std::size_t> unitOf(const std::string& sampler,
     const Ogre::GpuConstantDefinition* const definition =
         parameters._findNamedConstantDefinition(sampler);
     if (definition == nullptr || !definition->isSampler()) return std::nullopt;
-    return static_cast<std::size_t>(*parameters.getIntPointer(definition->physicalIndex));
+    return static_cast<std::size_t>(textureUnitOf(parameters, *definition));
 }
 
 /// Of a pass's texture units, which hold shadow maps, in their order.
@@ -159,6 +162,16 @@ std::vector<std::size_t> mapUnitsOf(const Ogre::Pass& pass) {
             Ogre::TextureUnitState::CONTENT_SHADOW)
             units.push_back(i);
     return units;
+}
+
+/// OGRE numbers units that have no name in their script.
+bool isUnnamed(const Ogre::TextureUnitState& unit) {
+    return unit.getName().find_first_not_of("0123456789") == std::string::npos;
+}
+
+bool isOneTexel(const Ogre::TextureUnitState& unit) {
+    const Ogre::TexturePtr& texture = unit._getTexturePtr();
+    return texture && texture->getWidth() == 1 && texture->getHeight() == 1;
 }
 
 template <typename Visit>
@@ -193,21 +206,36 @@ std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& par
 
 std::vector<std::string> findWrongUnits(const Ogre::Pass& pass) {
     std::vector<std::string> wrong;
-    const std::size_t maps = mapsRead(pass, 0);
-    const std::vector<std::size_t> units = mapUnitsOf(pass);
-    const auto check = [&](const std::string& sampler, std::size_t expected) {
+    const auto check = [&](const std::string& sampler, std::size_t expected, const char* what) {
         forPrograms(pass, [&](const Ogre::GpuProgramParameters& parameters) {
             const std::optional<std::size_t> unit = unitOf(sampler, parameters);
             if (unit && *unit != expected)
                 wrong.push_back("'" + sampler + "' is texture unit " + std::to_string(*unit) +
-                                ", and OGRE puts that map into unit " + std::to_string(expected) +
-                                ", of content_type shadow: write units of your own behind "
-                                "`texture_unit DiffuseMap`");
+                                ", and " + what + " unit " + std::to_string(expected) +
+                                ": write units of your own behind `texture_unit DiffuseMap`");
         });
     };
-    if (!units.empty()) check(Sampler, units.front());
-    for (std::size_t map = 0; map < maps && map < units.size(); ++map)
-        check(Sampler + std::to_string(map), units[map]);
+    const std::vector<std::size_t> units = mapUnitsOf(pass);
+    if (!units.empty()) check(Sampler, units.front(), MapIsIn);
+    for (std::size_t map = 0; map < units.size(); ++map)
+        check(Sampler + std::to_string(map), units[map], MapIsIn);
+
+    const auto& states = pass.getTextureUnitStates();
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (states[i]->getName() != "DiffuseMap") continue;
+        check("diffuseMap", i, "DiffuseMap is");
+        const bool isEmpty = states[i]->getTextureName().empty();
+        if (!isEmpty && isOneTexel(*states[i]))
+            wrong.push_back(
+                "texture '" + states[i]->getTextureName() +
+                "' has one texel, and a program cannot tell that from no texture, which "
+                "is white: make it larger, or say diffuse and ambient");
+        for (const Ogre::TextureUnitState* other : states)
+            if (isEmpty && isUnnamed(*other) && !other->getTextureName().empty())
+                wrong.push_back("texture '" + other->getTextureName() +
+                                "' is in a unit without a name, which nothing reads: write "
+                                "`texture_unit DiffuseMap`");
+    }
     return wrong;
 }
 

@@ -21,11 +21,12 @@ namespace Lixel {
 */
 std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& parameters);
 
-/** Which samplers of a pass that reads Lixel's maps are set to another texture unit than OGRE puts
-    the maps into, as lines for the log. Under an integrated technique: there the maps are in the
-    units of content_type shadow, in their order.
+/** Which samplers of a pass read another texture unit than they mean, as lines for the log.
 
-    Told apart by their names: `shadowMap`, `shadowMap0` and so on.
+    Told apart by their names are `diffuseMap`, which means the unit DiffuseMap, and, where a pass
+    has units of content_type shadow, `shadowMap`, `shadowMap0` and so on, which mean these in their
+    order. Two more slips with DiffuseMap are found: that its texture is in a unit without a name, or has
+    one texel.
 */
 std::vector<std::string> findWrongUnits(const Ogre::Pass& pass);
 

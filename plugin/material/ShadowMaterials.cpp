@@ -1,9 +1,13 @@
 #include "material/ShadowMaterials.h"
 
+#include "material/ProgramCheck.h"
+
 #include <OgreException.h>
 #include <OgreMaterial.h>
 #include <OgreMaterialManager.h>
+#include <OgrePass.h>
 #include <OgreSceneManager.h>
+#include <OgreTechnique.h>
 
 namespace Lixel {
 namespace {
@@ -31,6 +35,26 @@ Ogre::MaterialPtr find(const char* argument, const Ogre::String& name, const std
                 "setShadowMaterials");
 }
 
+/// What a material is for, where its first pass tells; empty where it does not.
+std::string roleOf(Ogre::Material& material) {
+    material.load();
+    const Ogre::Technique* const technique = material.getBestTechnique();
+    if (technique == nullptr || technique->getNumPasses() == 0) return {};
+    const Ogre::Pass& pass = *technique->getPass(0);
+    if (pass.getIlluminationStage() != Ogre::IS_UNKNOWN) return "surface";
+    if (mapsRead(pass, 0) > 0 || readsModulativeMap(pass)) return "receiver";
+    return writesCasterDepth(pass) ? "caster" : "";
+}
+
+void refuseUnless(const std::string& wanted, Ogre::Material& material) {
+    const std::string role = roleOf(material);
+    if (role.empty() || role == wanted) return;
+    OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                wanted + ": material '" + material.getName() + "' is a " + role +
+                    "; the receiver is the first name, the caster the second",
+                "setShadowMaterials");
+}
+
 } // namespace
 
 void setShadowMaterials(Ogre::SceneManager& sceneManager, const Ogre::String& receiver,
@@ -38,6 +62,8 @@ void setShadowMaterials(Ogre::SceneManager& sceneManager, const Ogre::String& re
     const Ogre::MaterialPtr casts = find("caster", caster, "Lixel/Caster");
     const Ogre::MaterialPtr receives =
         receiver.empty() ? Ogre::MaterialPtr() : find("receiver", receiver, "Lixel/Receiver");
+    refuseUnless("caster", *casts);
+    if (receives) refuseUnless("receiver", *receives);
     sceneManager.setShadowTextureCasterMaterial(casts);
     sceneManager.setShadowTextureReceiverMaterial(receives);
 }

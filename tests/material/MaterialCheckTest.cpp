@@ -109,7 +109,19 @@ INSTANTIATE_TEST_SUITE_P(
                   Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
                   "",
                   "Test/UnitBeforeTheMaps",
-                  {"'shadowMap' is texture unit 1, and OGRE puts that map into unit 2"}},
+                  {"'shadowMap' is texture unit 1, and OGRE puts that map into unit 2",
+                   "'diffuseMap' is texture unit 0, and DiffuseMap is unit 1"}},
+        WrongCase{"UnitBeforeTheDiffuseMap",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                  "Lixel/Receiver",
+                  "Test/UnitBeforeTheDiffuseMap",
+                  {"material 'Test/UnitBeforeTheDiffuseMap': 'diffuseMap' is texture unit 1, and "
+                   "DiffuseMap is unit 2"}},
+        WrongCase{"UnitWithoutAName",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                  "Lixel/Receiver",
+                  "Test/UnitWithoutAName",
+                  {"texture 'any.png' is in a unit without a name, which nothing reads"}},
         WrongCase{"UnitInPlaceOfAMap",
                   Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
                   "",
@@ -146,6 +158,19 @@ TEST(MaterialCheck, SaysThatAllCastersAreForeign) {
     scene.draw();
     EXPECT_EQ(log.count("casts by the caster material 'Test/ForeignCaster'"), 1U) << log.all();
     EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
+}
+
+TEST(MaterialCheck, SaysThatATextureOfOneTexelIsWhite) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    const Ogre::TexturePtr texel = Ogre::TextureManager::getSingleton().createManual(
+        "OneTexel", Ogre::RGN_DEFAULT, Ogre::TEX_TYPE_2D, 1, 1, 0, Ogre::PF_BYTE_RGB);
+    const Ogre::MaterialPtr red =
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Surface")->clone("Test/OneTexel");
+    red->getTechnique(0)->getPass("Light")->getTextureUnitState("DiffuseMap")->setTexture(texel);
+    scene.wear("Test/OneTexel");
+    LogCollector log;
+    scene.draw();
+    EXPECT_EQ(log.count("texture 'OneTexel' has one texel"), 1U) << log.all();
 }
 
 /// A far level of detail may do without.
@@ -229,6 +254,28 @@ TEST(ShadowMaterials, AreKnownByName) {
     EXPECT_EQ(before, scene.draw()) << "a wrong name changes nothing";
 }
 
+TEST(ShadowMaterials, AreRefusedInEachOthersPlace) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver/Bilinear");
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    const std::vector<int> before = scene.draw();
+    for (const auto& [receiver, caster, said] :
+         {std::tuple("Lixel/Caster", "Lixel/Receiver",
+                     "caster: material 'Lixel/Receiver' is a "
+                     "receiver"),
+          std::tuple("Lixel/Caster", "Lixel/Caster",
+                     "receiver: material 'Lixel/Caster' is a caster"),
+          std::tuple("Lixel/Surface", "Lixel/Caster",
+                     "receiver: material 'Lixel/Surface' is a surface")})
+        try {
+            setShadowMaterials(manager, receiver, caster);
+            FAIL() << receiver << ", " << caster;
+        } catch (const Ogre::InvalidParametersException& error) {
+            EXPECT_NE(error.getDescription().find(said), std::string::npos)
+                << error.getDescription();
+        }
+    EXPECT_EQ(before, scene.draw()) << "a wrong one changes nothing";
+}
+
 TEST(ShadowMaterials, OfTheOtherTechniqueAreNamedInTheFirstFrame) {
     MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "");
     LogCollector log;
@@ -279,8 +326,7 @@ TEST(MaterialCheck, SaysThatTexturesAreTooFew) {
     LogCollector log;
     scene.draw();
     scene.draw();
-    EXPECT_EQ(log.count("has 1 shadow textures, and the 3 lights that cast shadows here take 3"),
-              1U)
+    EXPECT_EQ(log.count("has 1 shadow textures, and the lights that cast shadows here take 3"), 1U)
         << log.all();
 }
 

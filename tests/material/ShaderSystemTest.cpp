@@ -153,7 +153,9 @@ TEST(ForeignMaterials, OfTheShaderSystemTakePaddedCascades) {
     ShaderSystemCascades stage(1.5F, {17, 30});
     const std::vector<int> without = darkness(stage.scene);
     stage.scene.keepPicture("foreign-shader-system-not-padded");
+#if OGRE_VERSION_MAJOR < 14 // which shows all of it here, padded or not
     EXPECT_GT(differing(stage.own, without), 0.2) << "half of the shadow is missing";
+#endif
     stage.cascades->setSplitPadding(3);
     const std::vector<int> padded = darkness(stage.scene);
     stage.scene.keepPicture("foreign-shader-system-padded");
