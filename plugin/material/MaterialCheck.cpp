@@ -7,6 +7,7 @@
 
 #include <OgreEntity.h>
 #include <OgreGpuProgram.h>
+#include <OgreInstanceBatch.h>
 #include <OgreLight.h>
 #include <OgreLogManager.h>
 #include <OgreMaterial.h>
@@ -62,6 +63,12 @@ bool bends(const Ogre::Pass& pass) {
     const Ogre::GpuProgramPtr& program = pass.getVertexProgram();
     return program->isSkeletalAnimationIncluded() || program->isMorphAnimationIncluded() ||
            program->isPoseAnimationIncluded();
+}
+
+/// Whether one call draws many bodies, which its vertex program has to place. Lixel's do not.
+bool isLeftUnplaced(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
+    return dynamic_cast<Ogre::InstanceBatch*>(&renderable) != nullptr && pass.hasVertexProgram() &&
+           Ogre::StringUtil::startsWith(pass.getVertexProgramName(), "Lixel/", false);
 }
 
 /// Whether what is drawn is left to its vertex program to bend.
@@ -228,14 +235,23 @@ void MaterialCheck::checkUnits(const Ogre::Pass& pass, Ogre::Renderable& rendera
     // OGRE lends a surface's units to the scene manager's receiver.
     const Ogre::Material* const worn = renderable.getMaterial().get();
     if (worn == nullptr || !mUnitsSeen.emplace(&pass, worn).second) return;
-    for (const std::string& wrong : findWrongUnits(pass))
+    for (const std::string& wrong : findWrongUnits(pass, mManager.isShadowTechniqueIntegrated()))
         say("material " + quoted(worn->getName()) + ": " + wrong + Manual);
 }
 
 void MaterialCheck::checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
-    if (bends(pass) || !isBentByProgram(renderable)) return;
-    const bool isCaster =
-        mManager._getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE;
+    const auto stage = mManager._getCurrentRenderStage();
+    const bool isCaster = stage == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE;
+    const bool isReceiver = stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS;
+    if (isLeftUnplaced(pass, renderable)) {
+        say("instances that wear material " + quoted(renderable.getMaterial()->getName()) +
+            " are drawn by the vertex program of " + quoted(materialOf(pass)) +
+            ", which does not place them: all are at the world's origin. Give them programs of "
+            "their own, in the surface, its receiver and its caster, or draw entities" +
+            Manual);
+        return;
+    }
+    if ((!isCaster && !isReceiver) || bends(pass) || !isBentByProgram(renderable)) return;
     const std::string kind = isCaster ? "caster" : "receiver";
     say("what wears material " + quoted(renderable.getMaterial()->getName()) +
         " is bent by its vertex program, and shadow " + kind + " material " +
@@ -250,6 +266,11 @@ void MaterialCheck::checkReceiver(const Ogre::Pass& pass) {
     // By its programs: OGRE sets the blending to that of the technique.
     const bool isAdditive = mapsRead(pass, 0) > 0;
     const bool isModulative = readsModulativeMap(pass);
+    if (isAdditive && isModulative)
+        say("shadow receiver material " + quoted(materialOf(pass)) +
+            " has one program for additive shadows and one for modulative ones: inherit "
+            "Lixel/Receiver for the former, Lixel/Receiver/Modulative for the latter" +
+            Manual);
     if (isAdditive == isModulative || isAdditive == mManager.isShadowTechniqueAdditive()) return;
     say("shadow receiver material " + quoted(materialOf(pass)) + " is for " +
         (isAdditive ? "additive shadows, and this scene manager's are modulative: take "
@@ -311,7 +332,7 @@ void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const
         if (stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS) checkReceiver(*pass);
     }
     checkUnits(*pass, *renderable);
-    if (stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS) checkBending(*pass, *renderable);
+    checkBending(*pass, *renderable);
     if (lights != nullptr && mManager.isShadowTechniqueIntegrated()) checkReads(*pass, *lights);
 }
 

@@ -130,13 +130,17 @@ std::string wrongNumberOf(const std::string& uniform, const Automatic* automatic
     return {};
 }
 
+/// The least of Lixel's programs and materials for several maps that has so many.
+std::size_t numberOfMapsFor(std::size_t maps) {
+    return *std::ranges::lower_bound(NumbersOfMaps, std::min(maps, NumbersOfMaps.back()));
+}
+
 /// Of a program for several maps in which these uniforms are not bound.
 std::string inheritanceInstead(const std::vector<std::string_view>& unbound) {
     std::size_t maps = 0;
     for (const std::string_view uniform : unbound)
         maps = std::max(maps, mapIndexIn(uniform).value_or(0) + 1);
-    const std::size_t parent =
-        *std::ranges::lower_bound(NumbersOfMaps, std::min(maps, NumbersOfMaps.back()));
+    const std::size_t parent = numberOfMapsFor(maps);
     const std::string first(unbound.front());
     return "'" + first + "' and " + std::to_string(unbound.size() - 1) +
            " more of its uniforms are not bound: let it inherit Lixel/ShadowMaps" +
@@ -204,7 +208,7 @@ std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& par
     return wrong;
 }
 
-std::vector<std::string> findWrongUnits(const Ogre::Pass& pass) {
+std::vector<std::string> findWrongUnits(const Ogre::Pass& pass, bool integrated) {
     std::vector<std::string> wrong;
     const auto check = [&](const std::string& sampler, std::size_t expected, const char* what) {
         forPrograms(pass, [&](const Ogre::GpuProgramParameters& parameters) {
@@ -212,15 +216,28 @@ std::vector<std::string> findWrongUnits(const Ogre::Pass& pass) {
             if (unit && *unit != expected)
                 wrong.push_back("'" + sampler + "' is texture unit " + std::to_string(*unit) +
                                 ", and " + what + " unit " + std::to_string(expected) +
-                                ": write units of your own behind `texture_unit DiffuseMap`");
+                                ": write units of your own behind Lixel's");
         });
     };
-    const std::vector<std::size_t> units = mapUnitsOf(pass);
-    if (!units.empty()) check(Sampler, units.front(), MapIsIn);
-    for (std::size_t map = 0; map < units.size(); ++map)
-        check(Sampler + std::to_string(map), units[map], MapIsIn);
-
     const auto& states = pass.getTextureUnitStates();
+    if (integrated) {
+        const std::vector<std::size_t> units = mapUnitsOf(pass);
+        if (!units.empty()) check(Sampler, units.front(), MapIsIn);
+        for (std::size_t map = 0; map < units.size(); ++map)
+            check(Sampler + std::to_string(map), units[map], MapIsIn);
+        const std::size_t read = mapsRead(pass, 0);
+        if (!units.empty() && read > units.size())
+            wrong.push_back("its program reads " + std::to_string(read) +
+                            " shadow maps, and it has " + std::to_string(units.size()) +
+                            " texture units of content_type shadow: inherit "
+                            "Lixel/Surface/Integrated/Maps" +
+                            std::to_string(numberOfMapsFor(read)));
+    } else {
+        // The first: what OGRE lends a receiver of the surface's comes behind its own.
+        const auto own = std::ranges::find(states, "ShadowMap", &Ogre::TextureUnitState::getName);
+        if (own != states.end() && mapsRead(pass, 0) > 0)
+            check(Sampler, static_cast<std::size_t>(own - states.begin()), "ShadowMap is");
+    }
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (states[i]->getName() != "DiffuseMap") continue;
         check("diffuseMap", i, "DiffuseMap is");

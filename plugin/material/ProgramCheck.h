@@ -23,12 +23,12 @@ std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& par
 
 /** Which samplers of a pass read another texture unit than they mean, as lines for the log.
 
-    Told apart by their names are `diffuseMap`, which means the unit DiffuseMap, and, where a pass
-    has units of content_type shadow, `shadowMap`, `shadowMap0` and so on, which mean these in their
-    order. Two more slips with DiffuseMap are found: that its texture is in a unit without a name, or has
+    Told apart by their names are `diffuseMap` and `shadowMap`, which mean the units DiffuseMap and
+    ShadowMap. Under an integrated technique `shadowMap`, `shadowMap0` and so on mean the units of
+    content_type shadow, in their order: there have to be as many of these as maps are read. Two more slips with DiffuseMap are found: that its texture is in a unit without a name, or has
     one texel.
 */
-std::vector<std::string> findWrongUnits(const Ogre::Pass& pass);
+std::vector<std::string> findWrongUnits(const Ogre::Pass& pass, bool integrated);
 
 /// Whether a pass writes the depth that Lixel's receivers compare with, as far as can be told: its
 /// vertex program has the uniform lixelCasterDepth, or a parameter of Lixel's.

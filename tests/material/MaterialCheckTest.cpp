@@ -117,6 +117,17 @@ INSTANTIATE_TEST_SUITE_P(
                   "Test/UnitBeforeTheDiffuseMap",
                   {"material 'Test/UnitBeforeTheDiffuseMap': 'diffuseMap' is texture unit 1, and "
                    "DiffuseMap is unit 2"}},
+        WrongCase{"MoreMapsThanUnits",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
+                  "",
+                  "Test/MoreMapsThanUnits",
+                  {"its program reads 3 shadow maps, and it has 2 texture units of content_type "
+                   "shadow: inherit Lixel/Surface/Integrated/Maps3"}},
+        WrongCase{"UnitBeforeTheReceiversMap",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                  "Lixel/Receiver",
+                  "Test/WearsUnitBeforeTheReceiversMap",
+                  {"'shadowMap' is texture unit 0, and ShadowMap is unit 1"}},
         WrongCase{"UnitWithoutAName",
                   Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
                   "Lixel/Receiver",
@@ -171,6 +182,35 @@ TEST(MaterialCheck, SaysThatATextureOfOneTexelIsWhite) {
     LogCollector log;
     scene.draw();
     EXPECT_EQ(log.count("texture 'OneTexel' has one texel"), 1U) << log.all();
+}
+
+TEST(MaterialCheck, SaysThatInstancesAreNotPlaced) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    Ogre::SceneNode* const node = scene.addCube(Ogre::Vector3(4, 1, 0), Ogre::Vector3(1));
+    const auto* const cube = static_cast<Ogre::Entity*>(node->getAttachedObject(0));
+    manager.createInstanceManager("instances", cube->getMesh()->getName(),
+                                  cube->getMesh()->getGroup(),
+                                  Ogre::InstanceManager::HWInstancingBasic, 8);
+    for (const float x : {-4.0F, 6.0F})
+        manager.getRootSceneNode()
+            ->createChildSceneNode(Ogre::Vector3(x, 1, 2))
+            ->attachObject(manager.createInstancedEntity("Lixel/Surface", "instances"));
+    LogCollector log;
+    scene.draw();
+    scene.draw();
+    EXPECT_GE(log.count("does not place them"), 1U) << log.all();
+    manager.destroyInstanceManager("instances");
+}
+
+/// What is for an integrated technique has units in another order, and is drawn by the receiver.
+TEST(MaterialCheck, SaysNothingOfMapUnitsThatAreNotRead) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE, "Lixel/Receiver");
+    scene.wear("Lixel/Surface/Integrated");
+    LogCollector log;
+    scene.draw();
+    scene.draw();
+    EXPECT_EQ(log.count("texture unit"), 0U) << log.all();
 }
 
 /// A far level of detail may do without.
