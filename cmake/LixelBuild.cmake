@@ -24,7 +24,7 @@ endif()
 # Options of every target that is our own code.
 add_library(lixel_options INTERFACE)
 target_compile_options(lixel_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${LIXEL_WERROR}>:-Werror>)
 if(LIXEL_SANITIZE)
   # libOgreMain and the Debian libraries are not instrumented; their vtables have no type information
   # that the vptr check could use.

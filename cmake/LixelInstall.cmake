@@ -24,16 +24,47 @@ set_target_properties(Plugin_Lixel PROPERTIES INSTALL_RPATH "$ORIGIN/..")
 install(TARGETS Lixel LixelHeadless EXPORT LixelTargets
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(TARGETS Plugin_Lixel LIBRARY DESTINATION "${LIXEL_INSTALL_PLUGINS}")
-install(DIRECTORY
-  "${PROJECT_SOURCE_DIR}/plugin/fit"
-  "${PROJECT_SOURCE_DIR}/plugin/scene"
-  "${PROJECT_SOURCE_DIR}/plugin/setup"
-  "${PROJECT_SOURCE_DIR}/plugin/material"
-  "${PROJECT_SOURCE_DIR}/plugin/headless"
-  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/Lixel"
-  FILES_MATCHING PATTERN "*.h"
-  PATTERN "headless/Caller.h" EXCLUDE
-  PATTERN "headless/EglDevice.h" EXCLUDE)
+# What users need, and what these headers include.
+set(public_headers
+  fit/geometry/BoxSet.h
+  fit/geometry/Plane.h
+  fit/geometry/SurfaceCloud.h
+  fit/geometry/Types.h
+  fit/problem/ShadowFit.h
+  fit/problem/ShadowPart.h
+  fit/problem/ShadowProblem.h
+  fit/problem/TexelInPixels.h
+  fit/technique/LiSPSM.h
+  fit/technique/Optimal.h
+  fit/technique/PlaneOptimal.h
+  fit/technique/PostProjectiveCube.h
+  fit/technique/Psm.h
+  fit/technique/Trapezoidal.h
+  fit/technique/Uniform.h
+  fit/technique/Xpsm.h
+  fit/parts/CascadeSplits.h
+  setup/CascadesShadowCameraSetup.h
+  setup/Detach.h
+  setup/FittedShadowCameraSetup.h
+  setup/LiSPSMShadowCameraSetup.h
+  setup/MeshPreparation.h
+  setup/ObservedShadowCameraSetup.h
+  setup/OptimalShadowCameraSetup.h
+  setup/PSMShadowCameraSetup.h
+  setup/PlaneOptimalShadowCameraSetup.h
+  setup/PostProjectiveCubeShadowCameraSetup.h
+  setup/ShadowMapObserver.h
+  setup/TrapezoidalShadowCameraSetup.h
+  setup/UniformShadowCameraSetup.h
+  setup/XPSMShadowCameraSetup.h
+  material/ShadowMaterials.h
+  material/ShadowParameters.h
+  headless/Headless.h)
+foreach(header ${public_headers})
+  get_filename_component(room "${header}" DIRECTORY)
+  install(FILES "${PROJECT_SOURCE_DIR}/plugin/${header}"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/Lixel/${room}")
+endforeach()
 
 install(EXPORT LixelTargets NAMESPACE Lixel:: DESTINATION "${LIXEL_INSTALL_PACKAGE}")
 configure_package_config_file(

@@ -1,5 +1,6 @@
 #include "material/ReceiverParameters.h"
 
+#include "fit/parts/LightPartition.h"
 #include "material/ShadowParameters.h"
 #include "scene/OgreMath.h"
 

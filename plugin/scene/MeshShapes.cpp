@@ -159,8 +159,7 @@ void ObjectShapes::reset(MeshShapes& meshes, const Vec3& wsOrigin) {
     mObjects.clear();
 }
 
-const BodyHull* ObjectShapes::hullOf(std::size_t index,
-                                     Eigen::Affine3d& wsFromBody) const noexcept {
+const BodyHull* ObjectShapes::hullOf(std::size_t index, Affine3& wsFromBody) const noexcept {
     if (index >= mObjects.size()) return nullptr;
     const auto* const entity = dynamic_cast<const Ogre::Entity*>(mObjects[index]);
     const BodyHull* const hull = entity != nullptr ? hullOrNone(*mMeshes, *entity) : nullptr;

@@ -31,8 +31,8 @@ inline Box relativeBox(const Ogre::AxisAlignedBox& bounds, const Vec3& wsOrigin)
 }
 
 /// A transform into the world, as one relative to an origin there.
-inline Eigen::Affine3d relativeTransform(const Ogre::Affine3& wsFromOwn, const Vec3& wsOrigin) {
-    Eigen::Affine3d result(toDouble(wsFromOwn));
+inline Affine3 relativeTransform(const Ogre::Affine3& wsFromOwn, const Vec3& wsOrigin) {
+    Affine3 result(toDouble(wsFromOwn));
     result.pretranslate(-wsOrigin);
     return result;
 }

@@ -1,5 +1,6 @@
 #include "setup/CascadesShadowCameraSetup.h"
 
+#include "setup/DivisionMemory.h"
 #include "setup/OptimalShadowCameraSetup.h"
 
 #include <OgreException.h>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/parts/CascadeSplits.h"
 #include "setup/FittedShadowCameraSetup.h"
 
 #include <vector>

@@ -7,6 +7,7 @@
 #include "scene/OgreVersions.h"
 #include "scene/SceneWatch.h"
 #include "scene/SurveyCache.h"
+#include "setup/DivisionMemory.h"
 #include "setup/InvalidInput.h"
 #include "setup/LightGuard.h"
 #include "setup/News.h"

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "fit/parts/CascadeSplits.h"
-#include "fit/parts/LightPartition.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowPart.h"
+#include "fit/problem/ShadowProblem.h"
 
 // OgreShadowCameraSetup.h of 1.12 needs it and does not include it.
 #include <OgreSharedPtr.h>
@@ -9,15 +10,13 @@
 #include <OgreShadowCameraSetup.h>
 
 #include <memory>
+#include <vector>
 
 namespace Lixel {
 
-/// What a division of a light into several maps remembers, for each light and viewer.
-struct DivisionMemory {
-    AimScratch aim;
-    CascadeMemory cascades;
-    std::vector<double> vsSplits;
-};
+struct DivisionMemory;
+struct FitState;
+struct LightPartition;
 
 /** Base of all setups that fit a shadow map: survey, fit, shadow camera, caster volume, observers.
 

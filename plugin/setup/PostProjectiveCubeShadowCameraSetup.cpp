@@ -1,6 +1,7 @@
 #include "setup/PostProjectiveCubeShadowCameraSetup.h"
 
 #include "fit/technique/Psm.h"
+#include "setup/DivisionMemory.h"
 
 #include <OgreException.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/parts/LightPartition.h"
 #include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowPart.h"
 
 namespace Ogre {
 class Camera;
@@ -53,5 +53,7 @@ LIXEL_API void addShadowMapObserver(ShadowMapObserver& observer);
 LIXEL_API void removeShadowMapObserver(ShadowMapObserver& observer);
 /// For those who make shadow maps: tells every observer.
 LIXEL_API void publishShadowMap(const ShadowMap& map);
+
+static_assert(HasOneLayout<ShadowMap>);
 
 } // namespace Lixel

@@ -65,7 +65,7 @@ private:
         renderable.getWorldTransforms(&wsFromObject);
         const Eigen::Affine3d transform = relativeTransform(wsFromObject, mScene.wsOrigin);
         const std::size_t first = mScene.positions.size();
-        for (const Eigen::Vector3d& position : readPositions(*operation.vertexData))
+        for (const Vec3& position : readPositions(*operation.vertexData))
             mScene.positions.push_back(transform * position);
 
         bool turned = mFlipMirrored && transform.linear().determinant() < 0.0;

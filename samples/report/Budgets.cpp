@@ -1,5 +1,6 @@
 #include "report/Budgets.h"
 
+#include <Lixel/fit/core/FitState.h>
 #include <Lixel/fit/technique/Optimal.h>
 
 #include <Eigen/Geometry>

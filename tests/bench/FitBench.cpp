@@ -4,6 +4,7 @@
 //
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
 // viewer turns a little from one fit to the next, as it does from frame to frame.
+#include "fit/core/FitState.h"
 #include "fit/technique/LiSPSM.h"
 #include "fit/technique/Optimal.h"
 #include "fit/technique/PlaneOptimal.h"

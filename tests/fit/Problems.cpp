@@ -156,10 +156,10 @@ const TurnedBox* TurnedBoxes::find(std::size_t index) const {
     return found != all.end() && found->index == index ? &*found : nullptr;
 }
 
-const BodyHull* TurnedBoxes::hullOf(std::size_t index, Eigen::Affine3d& wsFromBody) const noexcept {
+const BodyHull* TurnedBoxes::hullOf(std::size_t index, Affine3& wsFromBody) const noexcept {
     const TurnedBox* const body = find(index);
     if (body == nullptr) return nullptr;
-    wsFromBody = Eigen::Translation3d(body->box.centre) * Eigen::Affine3d(body->turn);
+    wsFromBody = Eigen::Translation3d(body->box.centre) * Affine3(body->turn);
     return &body->hull;
 }
 

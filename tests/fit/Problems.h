@@ -37,7 +37,7 @@ struct TurnedBoxes final : BodyShapes {
     std::vector<TurnedBox> all;
 
     const TurnedBox* find(std::size_t index) const;
-    const BodyHull* hullOf(std::size_t index, Eigen::Affine3d& wsFromBody) const noexcept override;
+    const BodyHull* hullOf(std::size_t index, Affine3& wsFromBody) const noexcept override;
 };
 
 /// Adds a box that is turned to a set.

@@ -2,6 +2,7 @@
 
 #include "MaterialScene.h"
 
+#include <Lixel/fit/parts/LightPartition.h>
 #include <Lixel/material/ShadowParameters.h>
 #include <Lixel/setup/XPSMShadowCameraSetup.h>
 

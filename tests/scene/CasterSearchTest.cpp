@@ -1,6 +1,7 @@
 // Which casters a light's search finds: none that matters may be lost, whatever is left out.
 #include "SceneTest.h"
 
+#include "fit/core/FitState.h"
 #include "fit/focus/ViewVolume.h"
 #include "fit/technique/Uniform.h"
 #include "scene/OgreMath.h"

@@ -4,6 +4,7 @@
 
 #include "SceneTest.h"
 
+#include "fit/core/FitState.h"
 #include "fit/technique/Uniform.h"
 #include "fit/technique/Xpsm.h"
 #include "scene/OgreMath.h"

@@ -78,7 +78,7 @@ protected:
         takeSurvey();
         EXPECT_EQ(mSurvey.receivers().size(), 1U);
         EXPECT_EQ(allCasters().size(), 1U);
-        Eigen::Affine3d ofCaster;
+        Affine3 ofCaster;
         const BodyHull* const caster = mSearch.shapes().hullOf(0, ofCaster);
         const BodyHull* const receiver = mSurvey.receiverShapes().hullOf(0, mWsFromBody);
         EXPECT_EQ(caster, receiver);
@@ -88,7 +88,7 @@ protected:
         return receiver;
     }
 
-    Eigen::Affine3d mWsFromBody;
+    Affine3 mWsFromBody;
 
 private:
     std::vector<Ogre::MeshPtr> mMeshes;

@@ -35,7 +35,7 @@ void addAllBut(const BoxSet& boxes, const Within& within, const Add& add) {
 /// A body's hull, if it is known, and where it is.
 struct PlacedHull {
     const BodyHull* hull = nullptr;
-    Eigen::Affine3d wsFromBody;
+    Affine3 wsFromBody;
 
     PlacedHull(const BodyShapes* shapes, std::size_t index) {
         if (shapes != nullptr) hull = shapes->hullOf(index, wsFromBody);

@@ -182,7 +182,7 @@ BodyHull makeBodyHull(std::span<const Vec3> positions) {
     return builder.build();
 }
 
-void clipHull(const BodyHull& hull, const Eigen::Affine3d& wsFromBody, const ConvexVolume& volume,
+void clipHull(const BodyHull& hull, const Affine3& wsFromBody, const ConvexVolume& volume,
               ClipScratch& scratch, std::vector<Vec3>& points) {
     scratch.vertices.clear();
     for (const Vec3& vertex : hull.vertices)

@@ -1,19 +1,12 @@
 #pragma once
 
-#include "fit/geometry/Types.h"
+#include "fit/geometry/Plane.h"
 
 #include <array>
 #include <cstdint>
 #include <span>
 
 namespace Lixel {
-
-/// The half space normal . x + offset >= 0.
-struct Plane {
-    Vec3 normal = Vec3::Zero();
-    double offset = 0.0;
-    double distance(const Vec3& x) const { return normal.dot(x) + offset; }
-};
 
 /// An intersection of at most `Capacity` half spaces with unit normals.
 class ConvexVolume {

@@ -77,7 +77,10 @@ struct KnownSurface {
     std::size_t receiver = 0;
     const SurfaceCloud* cloud = nullptr;
     /// World axes relative to the problem's origin from the cloud's space.
-    Eigen::Affine3d wsFromCloud = Eigen::Affine3d::Identity();
+    Affine3 wsFromCloud = Affine3::Identity();
 };
+
+static_assert(HasOneLayout<KnownSurface>);
+static_assert(HasOneLayout<SurfaceCloud>);
 
 } // namespace Lixel

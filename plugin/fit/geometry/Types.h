@@ -13,11 +13,20 @@
 
 namespace Lixel {
 
-using Vec2 = Eigen::Vector2d;
-using Vec3 = Eigen::Vector3d;
-using Vec4 = Eigen::Vector4d;
-using Mat3 = Eigen::Matrix3d;
-using Mat4 = Eigen::Matrix4d;
+// Eigen aligns some of its types as far as the compiler's flags allow, so that a structure would be
+// laid out otherwise in a program that is built with -mavx than in this library. None of these is.
+using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
+using Vec4 = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+using Mat3 = Eigen::Matrix<double, 3, 3, Eigen::DontAlign>;
+using Mat4 = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
+/// Needs <Eigen/Geometry>.
+using Affine3 = Eigen::Transform<double, 3, Eigen::Affine, Eigen::DontAlign>;
+
+/// Whether a structure lies in memory alike whatever flags a compiler is given: nothing in it is
+/// aligned further than a number is.
+template <typename Structure>
+inline constexpr bool HasOneLayout = alignof(Structure) <= alignof(double);
 
 /// Beyond it a float's square overflows, and matrices with it: a box has no bounds, a light no
 /// place.

@@ -2,6 +2,7 @@
 
 #include "fit/core/Fit.h"
 #include "fit/focus/ViewVolume.h"
+#include "fit/parts/CascadeMemory.h"
 #include "fit/parts/LightPartition.h"
 
 #include <algorithm>

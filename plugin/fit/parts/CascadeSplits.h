@@ -1,6 +1,8 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowProblem.h"
+
+#include <vector>
 
 namespace Lixel {
 
@@ -15,23 +17,7 @@ struct CascadeOptions {
     bool followReceivers = true;
 };
 
-/// What tells how much may have changed in what is seen since the frame before.
-struct CascadeView {
-    FrameFingerprint fingerprint;
-    /// In the world.
-    Vec3 wsEye = Vec3::Zero();
-    /// The depth from which on there are receivers, hidden ones too.
-    double vsReceiverNear = 0.0;
-};
-
-/// The depths between which slices lie.
-struct CascadeMemory {
-    FitState state;
-    /// What is seen, as settled so far; 0 before.
-    double nearest = 0.0;
-    double farthest = 0.0;
-    CascadeView view;
-};
+struct CascadeMemory;
 
 /** Depths in front of the viewer at which slices meet, ascending, in world units.
 

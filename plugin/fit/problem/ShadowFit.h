@@ -116,4 +116,6 @@ struct ShadowFit {
 */
 LIXEL_API Mat4 texelMatrix(const ShadowFit& fit, int mapWidth, int mapHeight) noexcept;
 
+static_assert(HasOneLayout<ShadowFit>);
+
 } // namespace Lixel

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/geometry/ConvexVolume.h"
+#include "fit/geometry/Plane.h"
 #include "fit/problem/ShadowProblem.h"
 
 #include <array>
@@ -41,5 +41,7 @@ struct ShadowPart {
 
     std::span<const Plane> bounds() const { return {wsBounds.data(), boundCount}; }
 };
+
+static_assert(HasOneLayout<ShadowPart>);
 
 } // namespace Lixel

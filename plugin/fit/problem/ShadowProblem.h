@@ -83,4 +83,7 @@ struct ShadowProblem {
     Vec3 wsOrigin = Vec3::Zero();
 };
 
+static_assert(HasOneLayout<ShadowProblem>);
+static_assert(HasOneLayout<VisiblePoint>);
+
 } // namespace Lixel

@@ -1,5 +1,6 @@
 #include "fit/technique/LiSPSM.h"
 
+#include "fit/core/Fit.h"
 #include "fit/technique/ViewDepth.h"
 
 namespace Lixel {

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
 
 namespace Lixel {
 
-/// What a user may turn about LiSPSM.
+struct FitState;
+
+/// Options of LiSPSM.
 struct LiSPSMOptions {
     /** The perspective's distance n of near plane and apex, as a multiple of n_opt: 1 is the
         paper's balance of near and far; smaller gives more texels to the near, ∞ is uniform. In

@@ -1,5 +1,6 @@
 #include "fit/technique/Optimal.h"
 
+#include "fit/core/Fit.h"
 #include "fit/technique/WarpSearch.h"
 
 #include <algorithm>

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
 
 namespace Lixel {
+
+struct FitState;
 
 /// What the optimal fit may spend: the knob between time and accuracy.
 struct OptimalOptions {

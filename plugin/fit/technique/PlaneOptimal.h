@@ -1,10 +1,13 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
 
 namespace Lixel {
 
-/// What a user may turn about plane optimal maps.
+struct FitState;
+
+/// Options of plane optimal maps.
 struct PlaneOptimalOptions {
     /** The plane of interest: points x with normal . x + offset = 0, in world axes relative to the
         problem's origin. The normal may have any length but zero, and either side may be up. */

@@ -1,5 +1,6 @@
 #include "fit/technique/PostProjectiveCube.h"
 
+#include "fit/core/Fit.h"
 #include "fit/core/Warp.h"
 #include "fit/problem/ShadowPart.h"
 #include "fit/technique/ViewDepth.h"

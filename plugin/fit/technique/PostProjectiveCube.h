@@ -1,10 +1,13 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
 
 namespace Lixel {
 
-/// What a user may turn about the cube map of post-projective space.
+struct FitState;
+
+/// Options of the cube map of post-projective space.
 struct CubeOptions {
     /// As PsmOptions::slideBack: 0 favours the near most, 1 makes near and far alike. In [0, ∞).
     double slideBack = 0.25;

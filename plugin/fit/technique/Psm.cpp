@@ -1,5 +1,6 @@
 #include "fit/technique/Psm.h"
 
+#include "fit/core/Fit.h"
 #include "fit/core/Warp.h"
 #include "fit/geometry/Cone.h"
 #include "fit/technique/ViewDepth.h"

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
 
 namespace Lixel {
 
-/// What a user may turn about perspective shadow maps.
+struct FitState;
+
+/// Options of perspective shadow maps.
 struct PsmOptions {
     /** How far the virtual viewer stands behind the viewer, its near plane staying where it is
         (Kozlov 2004, Figure 14-6), relative to sqrt(n f) with n and f the depths of the nearest and

@@ -1,5 +1,6 @@
 #include "fit/technique/Trapezoidal.h"
 
+#include "fit/core/Fit.h"
 #include "fit/focus/ViewVolume.h"
 #include "fit/technique/ViewDepth.h"
 

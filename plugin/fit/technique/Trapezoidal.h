@@ -1,10 +1,13 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
 
 namespace Lixel {
 
-/// What a user may turn about trapezoidal maps.
+struct FitState;
+
+/// Options of trapezoidal maps.
 struct TrapezoidalOptions {
     /** Where the focus point lies on the centre line: the paper's δ, as a fraction of the distance
         from the viewer to the farthest receiver in the focus region. In (0, 1). */

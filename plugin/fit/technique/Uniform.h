@@ -1,10 +1,13 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
 
 namespace Lixel {
 
-/// What a user may turn about uniform shadow maps.
+struct FitState;
+
+/// Options of uniform shadow maps.
 struct UniformOptions {
     /// Steady texels instead of small ones. @see fitUniform
     bool stable = false;

@@ -1,5 +1,6 @@
 #include "fit/technique/Xpsm.h"
 
+#include "fit/core/Fit.h"
 #include "fit/core/Warp.h"
 #include "fit/technique/ViewDepth.h"
 #include "fit/technique/WarpSearch.h"

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "fit/core/FitState.h"
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
 
 namespace Lixel {
 
-/// What a user may turn about XPSM. The numbers are pure ones: no tuning to a scene's scale.
+struct FitState;
+
+/// Options of XPSM: pure numbers, none of which depends on a scene's scale.
 struct XpsmOptions {
     /** Strength of the warp, Gusev's `coef` freed of its unit: coef = strength / sqrt(n f), for n
         and f the depths of the nearest and farthest visible receiver. 1 is the balance of near and

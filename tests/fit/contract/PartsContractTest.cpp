@@ -2,6 +2,7 @@
     part that serves it. */
 #include "fit/Oracle.h"
 
+#include "fit/parts/CascadeMemory.h"
 #include "fit/parts/CascadeSplits.h"
 #include "fit/parts/LightPartition.h"
 #include "fit/technique/PostProjectiveCube.h"

@@ -1,3 +1,4 @@
+#include "fit/parts/CascadeMemory.h"
 #include "fit/parts/CascadeSplits.h"
 
 #include "fit/Oracle.h"

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "fit/geometry/Types.h"
+
+namespace Lixel {
+
+/// The half space normal . x + offset >= 0.
+struct Plane {
+    Vec3 normal = Vec3::Zero();
+    double offset = 0.0;
+    double distance(const Vec3& x) const { return normal.dot(x) + offset; }
+};
+
+} // namespace Lixel

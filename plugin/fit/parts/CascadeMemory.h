@@ -1,0 +1,25 @@
+#pragma once
+
+#include "fit/core/FitState.h"
+
+namespace Lixel {
+
+/// What tells how much may have changed in what is seen since the frame before.
+struct CascadeView {
+    FrameFingerprint fingerprint;
+    /// In the world.
+    Vec3 wsEye = Vec3::Zero();
+    /// The depth from which on there are receivers, hidden ones too.
+    double vsReceiverNear = 0.0;
+};
+
+/// The depths between which slices lie.
+struct CascadeMemory {
+    FitState state;
+    /// What is seen, as settled so far; 0 before.
+    double nearest = 0.0;
+    double farthest = 0.0;
+    CascadeView view;
+};
+
+} // namespace Lixel
