@@ -83,6 +83,26 @@ bool isSplitOff(const Ogre::Pass& pass) {
     return std::find(own.begin(), own.end(), &pass) == own.end();
 }
 
+/// Of a pass that has not both programs, where the render system needs them.
+std::string whatLacksPrograms(const Ogre::Pass& pass) {
+    const std::string name = quoted(materialOf(pass));
+    if (isStandIn(pass))
+        return "OGRE's own material " + name +
+               " is drawn, which has no programs, and this render system draws nothing without: it "
+               "stands in for a material whose name is not known or whose programs do not compile "
+               "(see OGRE's lines in this log)";
+    if (isSplitOff(pass) && pass.getParent()->getPass(0)->hasFragmentProgram())
+        return "material " + name +
+               " loses its fragment program where OGRE splits its pass for additive shadows, and "
+               "cannot be drawn: give it one pass of illumination_stage ambient and one of "
+               "per_light, as Lixel/Surface has; where the shader system makes its programs, have "
+               "SGTechniqueResolverListener of OgreBites give them to what is split";
+    return "material " + name +
+           " has no programs, and this render system draws nothing without: inherit Lixel/Surface "
+           "(if it does, its group may not find General: see OGRE's errors in this log), or let "
+           "OGRE's shader system make some";
+}
+
 const Ogre::RenderSystemCapabilities& capabilities() {
     return *Ogre::Root::getSingleton().getRenderSystem()->getCapabilities();
 }
@@ -182,27 +202,7 @@ void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
     const Ogre::Technique& technique = *pass.getParent();
     if (!capabilities().hasCapability(Ogre::RSC_FIXED_FUNCTION) &&
         (!pass.hasVertexProgram() || !pass.hasFragmentProgram())) {
-        if (isStandIn(pass))
-            say("OGRE's own material " + quoted(materialOf(pass)) +
-                " is drawn, which has no programs, and this render system draws nothing without: "
-                "it stands in for a material whose name is not known or whose programs do not "
-                "compile (see OGRE's lines in this log)" +
-                Manual);
-        else
-            say("material " + quoted(materialOf(pass)) +
-                (isSplitOff(pass) && technique.getPass(0)->hasFragmentProgram()
-                     ? " loses its fragment program where OGRE splits its pass for additive "
-                       "shadows, "
-                       "and cannot be drawn: give it one pass of illumination_stage ambient and "
-                       "one "
-                       "of per_light, as Lixel/Surface has; where the shader system makes its "
-                       "programs, "
-                       "have SGTechniqueResolverListener of OgreBites give them to what is split"
-                     : " has no programs, and this render system draws nothing without: inherit "
-                       "Lixel/Surface (if it does, its group may not find General: see OGRE's "
-                       "errors "
-                       "in this log), or let OGRE's shader system make some") +
-                Manual);
+        say(whatLacksPrograms(pass) + Manual);
         return;
     }
     if (mManager.isShadowTechniqueIntegrated() && groupReceives && pass.getLightingEnabled() &&
