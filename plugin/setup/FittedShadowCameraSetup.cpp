@@ -122,18 +122,6 @@ bool isOnlySun(const Ogre::Light& light, const Ogre::SceneManager& sceneManager)
            std::ranges::none_of(sceneManager._getLightsAffectingFrustum(), isOther);
 }
 
-/// Shadow maps from a camera's own on: OGRE gives lights what is left. The camera's is the first;
-/// none where it is not the scene manager's.
-std::vector<ShadowTarget> targetsFrom(const Ogre::Camera& shadowCamera,
-                                      Ogre::SceneManager& sceneManager) {
-    std::vector<ShadowTarget> targets = shadowTargetsOf(sceneManager);
-    const Ogre::Viewport* const viewport = shadowCamera.getViewport();
-    const auto own = std::ranges::find(
-        targets, viewport != nullptr ? viewport->getTarget() : nullptr, &ShadowTarget::target);
-    targets.erase(targets.begin(), own);
-    return targets;
-}
-
 /// What serves no point at all.
 const ShadowPart Nowhere = [] {
     ShadowPart part;
@@ -254,7 +242,10 @@ struct FittedShadowCameraSetup::Memory : SceneWatcher {
 
     static LightMemory& of(Scene& scene, const LightAndViewer& key, unsigned long frame) {
         std::unique_ptr<LightMemory>& memory = scene.lights[key];
-        if (!memory) memory = std::make_unique<LightMemory>();
+        if (!memory) {
+            memory = std::make_unique<LightMemory>();
+            warnWithoutPlugin();
+        }
         memory->lastFrame = frame;
         return *memory;
     }
@@ -280,11 +271,10 @@ void FittedShadowCameraSetup::setDepthBias(Ogre::Real worldUnits) {
 }
 
 std::size_t FittedShadowCameraSetup::mapsOf(const Ogre::Light& light,
-                                            const Ogre::Camera& shadowCamera,
-                                            Ogre::SceneManager& sceneManager,
+                                            const std::vector<ShadowTarget>& targets,
+                                            const Ogre::SceneManager& sceneManager,
                                             LightNews& news) const {
     const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
-    const std::vector<ShadowTarget> targets = targetsFrom(shadowCamera, sceneManager);
     if (!targets.empty() && drawsMapsTogether(*targets.front().texture)) {
         if (news.isNew(MapsDrawnTogether, frame))
             logWarning("no shadow map for light '" + light.getName() +
@@ -385,15 +375,15 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     // The camera's scene manager is the one we were handed, and not const.
     Ogre::SceneManager& sceneManager = *viewer->getSceneManager();
     guardLights(sceneManager);
-    warnWithoutPlugin();
     const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
     Memory::Scene& scene = mMemory->of(sceneManager, frame);
     const Identity identity = identityOf(*light);
     LightMemory& memory = Memory::of(scene, {identity, identityOf(*viewer)}, frame);
     LightNews& news = scene.news[identity];
-    if (iteration == 0) memory.maps = mapsOf(*light, *shadowCamera, sceneManager, news);
+    const std::vector<ShadowTarget> targets = shadowTargetsFrom(*shadowCamera, sceneManager);
+    const bool isDrawn = !targets.empty();
+    if (iteration == 0) memory.maps = mapsOf(*light, targets, sceneManager, news);
     const std::size_t maps = memory.maps;
-    const bool isDrawn = drawsShadowTexture(*shadowCamera, sceneManager);
     if (iteration >= maps) {
         // Under modulative shadows OGRE may take this camera for another light's, and adds a
         // texture of its own to the receiver where a spot's camera has no projection of ours.

@@ -17,6 +17,7 @@ namespace Lixel {
 struct DivisionMemory;
 struct FitState;
 struct LightPartition;
+struct ShadowTarget;
 
 /** Base of all setups that fit a shadow map: survey, fit, shadow camera, caster volume, observers.
 
@@ -116,10 +117,10 @@ private:
     /// Fits the next part that one of the light's remaining maps is for.
     ShadowFit fitNext(const ShadowProblem& problem, const Ogre::Light& light, std::size_t mapsLeft,
                       LightMemory& memory, LightNews& news, const ShadowPart*& part) const;
-    /// How many maps the light has, asked with the first one's camera. OGRE draws more than one
-    /// right only under integrated techniques.
-    std::size_t mapsOf(const Ogre::Light& light, const Ogre::Camera& shadowCamera,
-                       Ogre::SceneManager& sceneManager, LightNews& news) const;
+    /// How many maps the light has. OGRE draws more than one right only under integrated
+    /// techniques. @param targets from the first one's on
+    std::size_t mapsOf(const Ogre::Light& light, const std::vector<ShadowTarget>& targets,
+                       const Ogre::SceneManager& sceneManager, LightNews& news) const;
 
     std::unique_ptr<Memory> mMemory;
     Ogre::Real mFilterRadius = 1;

@@ -1,6 +1,7 @@
 #include "setup/ObservedShadowCameraSetup.h"
 
 #include "scene/OgreMath.h"
+#include "scene/OgreVersions.h"
 #include "setup/ShadowMapObserver.h"
 #include "setup/ShadowPass.h"
 
@@ -65,7 +66,7 @@ void ObservedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager* sceneM
     mInner->getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera, iteration);
     const std::chrono::duration<double, std::micro> passed =
         std::chrono::steady_clock::now() - begin;
-    if (!drawsShadowTexture(*shadowCamera, *viewer->getSceneManager())) return;
+    if (shadowTargetsFrom(*shadowCamera, *viewer->getSceneManager()).empty()) return;
 
     ShadowFit fit;
     fit.reason = FitReason::None;

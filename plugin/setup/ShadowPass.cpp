@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <vector>
 
 namespace Lixel {
 namespace {
@@ -27,8 +26,10 @@ public:
         // The first time is what has to come back.
         Armed& armed =
             mArmed[target].try_emplace(&camera, Armed{camera.getCullingFrustum()}).first->second;
-        armed.volume = volume;
-        if (volume != nullptr) camera.setCullingFrustum(volume);
+        if (volume != nullptr) {
+            armed.volume = volume;
+            camera.setCullingFrustum(volume);
+        }
         target->addListener(this); // once, however often it is called
         mTargets.insert(target->getName());
     }
@@ -108,12 +109,14 @@ void releaseShadowPass(const Ogre::Frustum& cullingFrustum) {
     listener().release(cullingFrustum);
 }
 
-bool drawsShadowTexture(const Ogre::Camera& camera, Ogre::SceneManager& sceneManager) {
+std::vector<ShadowTarget> shadowTargetsFrom(const Ogre::Camera& camera,
+                                            Ogre::SceneManager& sceneManager) {
+    std::vector<ShadowTarget> targets = shadowTargetsOf(sceneManager);
     const Ogre::Viewport* const viewport = camera.getViewport();
-    if (viewport == nullptr) return false;
-    const std::vector<ShadowTarget> targets = shadowTargetsOf(sceneManager);
-    return std::ranges::find(targets, viewport->getTarget(), &ShadowTarget::target) !=
-           targets.end();
+    const auto own = std::ranges::find(
+        targets, viewport != nullptr ? viewport->getTarget() : nullptr, &ShadowTarget::target);
+    targets.erase(targets.begin(), own);
+    return targets;
 }
 
 void skipShadowPass(Ogre::Camera& shadowCamera) {

@@ -2,6 +2,8 @@
 
 #include "fit/geometry/Types.h"
 
+#include <vector>
+
 namespace Ogre {
 class Camera;
 class Frustum;
@@ -9,6 +11,8 @@ class SceneManager;
 } // namespace Ogre
 
 namespace Lixel {
+
+struct ShadowTarget;
 
 /** Prepares the next drawing of a shadow camera's texture, and undoes it right afterwards.
 
@@ -24,9 +28,11 @@ void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
 /// A culling frustum is about to go: no camera that waits for its pass keeps it.
 void releaseShadowPass(const Ogre::Frustum& cullingFrustum);
 
-/// Whether a camera draws into one of the scene manager's shadow textures. Applications also ask
-/// setups for the matrices alone, with a camera of their own.
-bool drawsShadowTexture(const Ogre::Camera& camera, Ogre::SceneManager& sceneManager);
+/// Shadow maps from a camera's own on: OGRE gives lights what is left. The camera's is the first;
+/// none where it draws into no shadow texture of the scene manager's: applications also ask setups
+/// for the matrices alone, with a camera of their own.
+std::vector<ShadowTarget> shadowTargetsFrom(const Ogre::Camera& camera,
+                                            Ogre::SceneManager& sceneManager);
 
 /// The texture is cleared to "lit" and no caster is drawn into it.
 void skipShadowPass(Ogre::Camera& shadowCamera);
