@@ -25,6 +25,7 @@
 #include <OgreTextureUnitState.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace Lixel {
@@ -109,11 +110,10 @@ const Ogre::RenderSystemCapabilities& capabilities() {
 
 /// Which material reads as many maps, as the beginning of what to do. Empty where none does.
 std::string materialReading(std::size_t maps) {
-    for (const std::size_t known : {2U, 3U, 4U, 6U})
-        if (maps <= known)
-            return "take Lixel/Surface/Integrated/Maps" + std::to_string(known) +
-                   ", or a program that reads as many, or ";
-    return {};
+    const std::optional<std::size_t> known = mapsOfProgramFor(maps);
+    if (!known) return {};
+    return "take Lixel/Surface/Integrated/Maps" + std::to_string(*known) +
+           ", or a program that reads as many, or ";
 }
 
 } // namespace
@@ -241,19 +241,18 @@ void MaterialCheck::checkUnits(const Ogre::Pass& pass, Ogre::Renderable& rendera
         say("material " + quoted(worn->getName()) + ": " + wrong + Manual);
 }
 
-void MaterialCheck::checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
-    const auto stage = mManager._getCurrentRenderStage();
-    const bool isCaster = stage == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE;
-    const bool isReceiver = stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS;
-    if (isLeftUnplaced(pass, renderable)) {
-        say("instances that wear material " + quoted(renderable.getMaterial()->getName()) +
-            " are drawn by the vertex program of " + quoted(materialOf(pass)) +
-            ", which does not place them: all are at the world's origin. Give them programs of "
-            "their own, in the surface, its receiver and its caster, or draw entities" +
-            Manual);
-        return;
-    }
-    if ((!isCaster && !isReceiver) || bends(pass) || !isBentByProgram(renderable)) return;
+void MaterialCheck::checkInstances(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
+    if (!isLeftUnplaced(pass, renderable)) return;
+    say("instances that wear material " + quoted(renderable.getMaterial()->getName()) +
+        " are drawn by the vertex program of " + quoted(materialOf(pass)) +
+        ", which does not place them: all are at the world's origin. Give them programs of their "
+        "own, in the surface, its receiver and its caster, or draw entities" +
+        Manual);
+}
+
+void MaterialCheck::checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable,
+                                 bool isCaster) {
+    if (bends(pass) || !isBentByProgram(renderable)) return;
     const std::string kind = isCaster ? "caster" : "receiver";
     say("what wears material " + quoted(renderable.getMaterial()->getName()) +
         " is bent by its vertex program, and shadow " + kind + " material " +
@@ -324,9 +323,10 @@ void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const
                                              const Ogre::AutoParamDataSource*,
                                              const Ogre::LightList* lights, bool) {
     const auto stage = mManager._getCurrentRenderStage();
+    checkInstances(*pass, *renderable);
     if (stage == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) {
         if (mCasters.count(pass) == 0) mCasters[pass] = renderable->getMaterial()->getName();
-        checkBending(*pass, *renderable);
+        checkBending(*pass, *renderable, true);
         return;
     }
     if (mDrawn.insert(pass).second) {
@@ -334,7 +334,8 @@ void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const
         if (stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS) checkReceiver(*pass);
     }
     checkUnits(*pass, *renderable);
-    checkBending(*pass, *renderable);
+    if (stage == Ogre::SceneManager::IRS_RENDER_RECEIVER_PASS)
+        checkBending(*pass, *renderable, false);
     if (lights != nullptr && mManager.isShadowTechniqueIntegrated()) checkReads(*pass, *lights);
 }
 

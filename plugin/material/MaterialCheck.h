@@ -62,7 +62,8 @@ private:
     void checkSurface(const Ogre::Pass& pass, bool groupReceives);
     void checkPrograms(const Ogre::Pass& pass);
     void checkUnits(const Ogre::Pass& pass, Ogre::Renderable& renderable);
-    void checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable);
+    void checkInstances(const Ogre::Pass& pass, Ogre::Renderable& renderable);
+    void checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable, bool isCaster);
     void checkCasters();
     void checkLights(const std::set<const Ogre::Light*>& withMaps);
     void say(const std::string& message);

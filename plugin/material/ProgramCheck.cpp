@@ -38,6 +38,12 @@ constexpr std::array<std::size_t, 4> NumbersOfMaps{2, 3, 4, 6};
 /// So many uniforms that are not bound were not forgotten one by one: a map has six.
 constexpr std::size_t ManyUnbound = 4;
 
+/// The index at the end of a name of several maps' uniforms.
+std::optional<std::size_t> mapIndexIn(std::string_view uniform) {
+    if (uniform.empty() || uniform.back() < '0' || uniform.back() > '9') return std::nullopt;
+    return static_cast<std::size_t>(uniform.back() - '0');
+}
+
 /// In a script: the parameter's index in the upper 16 bits, the light's place in the pass below.
 constexpr int LightBits = 16;
 constexpr std::size_t LightMask = 0xFFFF;
@@ -53,17 +59,11 @@ std::optional<int> lightParameterOf(std::string_view uniform) {
         if (!uniform.starts_with(known.name)) continue;
         const std::string_view map = uniform.substr(known.name.size());
         if (map.empty()) return known.parameter;
-        if (map.size() == 1 && map[0] >= '0' &&
-            map[0] < '0' + static_cast<char>(LightPartition::Capacity))
-            return known.parameter + LP_MAP_STEP * (map[0] - '0');
+        const std::optional<std::size_t> index = mapIndexIn(map);
+        if (map.size() == 1 && index && *index < LightPartition::Capacity)
+            return known.parameter + LP_MAP_STEP * static_cast<int>(*index);
     }
     return std::nullopt;
-}
-
-/// The index at the end of a name of several maps' uniforms.
-std::optional<std::size_t> mapIndexIn(std::string_view uniform) {
-    if (uniform.empty() || uniform.back() < '0' || uniform.back() > '9') return std::nullopt;
-    return static_cast<std::size_t>(uniform.back() - '0');
 }
 
 /// The index of the map that a parameter is of.
@@ -95,14 +95,18 @@ bool isLightCustom(const Automatic* automatic) {
            automatic->paramType == Ogre::GpuProgramParameters::ACT_LIGHT_CUSTOM;
 }
 
+/// The parameter of a light that a uniform is bound to.
+int lightParameterOf(const Automatic& lightCustom) {
+    return static_cast<int>(lightCustom.data >> LightBits);
+}
+
 /// Of a uniform that has one of Lixel's names; empty where it is bound as it should be.
 std::string wrongBindingOf(const std::string& uniform, const Automatic* automatic,
                            const Ogre::GpuProgramParameters& parameters) {
     const char* const set = SharedParameters::setOf(uniform);
     if (set != nullptr && parameters.isUsingSharedParameters(set)) return {};
     const std::optional<int> parameter = lightParameterOf(uniform);
-    if (parameter && isLightCustom(automatic) &&
-        static_cast<int>(automatic->data >> LightBits) == *parameter)
+    if (parameter && isLightCustom(automatic) && lightParameterOf(*automatic) == *parameter)
         return {};
     if (!parameter && set == nullptr) return {}; // a name of the application's own
     return "'" + uniform + "' is " +
@@ -117,7 +121,7 @@ std::string wrongBindingOf(const std::string& uniform, const Automatic* automati
 /// Of any other uniform: a number that was meant to be one of Lixel's.
 std::string wrongNumberOf(const std::string& uniform, const Automatic* automatic) {
     if (!isLightCustom(automatic)) return {};
-    const int parameter = static_cast<int>(automatic->data >> LightBits);
+    const int parameter = lightParameterOf(*automatic);
     const int low = static_cast<int>(automatic->data & LightMask);
     const std::string bound =
         "'" + uniform + "' is bound to light_custom " + std::to_string(automatic->data);
@@ -130,17 +134,12 @@ std::string wrongNumberOf(const std::string& uniform, const Automatic* automatic
     return {};
 }
 
-/// The least of Lixel's programs and materials for several maps that has so many.
-std::size_t numberOfMapsFor(std::size_t maps) {
-    return *std::ranges::lower_bound(NumbersOfMaps, std::min(maps, NumbersOfMaps.back()));
-}
-
 /// Of a program for several maps in which these uniforms are not bound.
 std::string inheritanceInstead(const std::vector<std::string_view>& unbound) {
     std::size_t maps = 0;
     for (const std::string_view uniform : unbound)
         maps = std::max(maps, mapIndexIn(uniform).value_or(0) + 1);
-    const std::size_t parent = numberOfMapsFor(maps);
+    const std::size_t parent = mapsOfProgramFor(maps).value_or(NumbersOfMaps.back());
     const std::string first(unbound.front());
     return "'" + first + "' and " + std::to_string(unbound.size() - 1) +
            " more of its uniforms are not bound: let it inherit Lixel/ShadowMaps" +
@@ -184,22 +183,48 @@ void forPrograms(const Ogre::Pass& pass, const Visit& visit) {
     if (pass.hasFragmentProgram()) visit(*pass.getFragmentProgramParameters());
 }
 
+/// Slips with the unit DiffuseMap, which is the one of that index.
+void addSlipsWithDiffuseMap(const Ogre::Pass& pass, std::size_t index,
+                            std::vector<std::string>& wrong) {
+    const auto& states = pass.getTextureUnitStates();
+    const Ogre::TextureUnitState& diffuseMap = *states[index];
+    if (!diffuseMap.getTextureName().empty()) {
+        if (isOneTexel(diffuseMap))
+            wrong.push_back("texture '" + diffuseMap.getTextureName() +
+                            "' has one texel, and a program cannot tell that from no texture, "
+                            "which is white: make it larger, or say diffuse and ambient");
+        return;
+    }
+    for (const Ogre::TextureUnitState* other : states)
+        if (isUnnamed(*other) && !other->getTextureName().empty())
+            wrong.push_back("texture '" + other->getTextureName() +
+                            "' is in a unit without a name, which nothing reads: write "
+                            "`texture_unit DiffuseMap`");
+}
+
 } // namespace
+
+std::optional<std::size_t> mapsOfProgramFor(std::size_t maps) {
+    const auto* const found = std::ranges::lower_bound(NumbersOfMaps, maps);
+    return found != NumbersOfMaps.end() ? std::optional(*found) : std::nullopt;
+}
 
 std::vector<std::string> findWrongBindings(const Ogre::GpuProgramParameters& parameters) {
     std::vector<std::string> wrong;
     if (!parameters.hasNamedParameters()) return wrong;
     const auto& uniforms = parameters.getConstantDefinitions().map;
+    const auto isUnbound = [&](const std::string& name) {
+        return lightParameterOf(name) && mapIndexIn(name) &&
+               parameters.findAutoConstantEntry(name) == nullptr;
+    };
     std::vector<std::string_view> unbound;
     for (const auto& [name, definition] : uniforms)
-        if (lightParameterOf(name) && mapIndexIn(name) &&
-            parameters.findAutoConstantEntry(name) == nullptr)
-            unbound.push_back(name);
+        if (isUnbound(name)) unbound.push_back(name);
     const bool isForgotten = unbound.size() >= ManyUnbound;
     if (isForgotten) wrong.push_back(inheritanceInstead(unbound));
     for (const auto& [name, definition] : uniforms) {
+        if (isForgotten && isUnbound(name)) continue;
         const Automatic* const automatic = parameters.findAutoConstantEntry(name);
-        if (isForgotten && std::ranges::find(unbound, name) != unbound.end()) continue;
         std::string line = std::string_view(name).starts_with(Prefix)
                                ? wrongBindingOf(name, automatic, parameters)
                                : wrongNumberOf(name, automatic);
@@ -231,7 +256,7 @@ std::vector<std::string> findWrongUnits(const Ogre::Pass& pass, bool integrated)
                             " shadow maps, and it has " + std::to_string(units.size()) +
                             " texture units of content_type shadow: inherit "
                             "Lixel/Surface/Integrated/Maps" +
-                            std::to_string(numberOfMapsFor(read)));
+                            std::to_string(mapsOfProgramFor(read).value_or(NumbersOfMaps.back())));
     } else {
         // The first: what OGRE lends a receiver of the surface's comes behind its own.
         const auto own = std::ranges::find(states, "ShadowMap", &Ogre::TextureUnitState::getName);
@@ -241,17 +266,7 @@ std::vector<std::string> findWrongUnits(const Ogre::Pass& pass, bool integrated)
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (states[i]->getName() != "DiffuseMap") continue;
         check("diffuseMap", i, "DiffuseMap is");
-        const bool isEmpty = states[i]->getTextureName().empty();
-        if (!isEmpty && isOneTexel(*states[i]))
-            wrong.push_back(
-                "texture '" + states[i]->getTextureName() +
-                "' has one texel, and a program cannot tell that from no texture, which "
-                "is white: make it larger, or say diffuse and ambient");
-        for (const Ogre::TextureUnitState* other : states)
-            if (isEmpty && isUnnamed(*other) && !other->getTextureName().empty())
-                wrong.push_back("texture '" + other->getTextureName() +
-                                "' is in a unit without a name, which nothing reads: write "
-                                "`texture_unit DiffuseMap`");
+        addSlipsWithDiffuseMap(pass, i, wrong);
     }
     return wrong;
 }
@@ -263,8 +278,7 @@ bool writesCasterDepth(const Ogre::Pass& pass) {
         parameters._findNamedConstantDefinition(CasterDepth) != nullptr)
         return true;
     const auto isLixels = [](const Automatic& automatic) {
-        return isLightCustom(&automatic) &&
-               isInRange(static_cast<int>(automatic.data >> LightBits));
+        return isLightCustom(&automatic) && isInRange(lightParameterOf(automatic));
     };
     const auto& automatics = parameters.getAutoConstants();
     return std::any_of(automatics.begin(), automatics.end(), isLixels);
@@ -275,12 +289,16 @@ std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light) {
     forPrograms(pass, [&](const Ogre::GpuProgramParameters& parameters) {
         for (const Automatic& automatic : parameters.getAutoConstants()) {
             if (!isLightCustom(&automatic) || (automatic.data & LightMask) != light) continue;
-            const int parameter = static_cast<int>(automatic.data >> LightBits);
+            const int parameter = lightParameterOf(automatic);
             if (isInRange(parameter) && isMapParameter(parameter))
                 maps = std::max(maps, static_cast<std::size_t>(mapOf(parameter)) + 1);
         }
     });
     return maps;
+}
+
+bool readsMaps(const Ogre::Pass& pass) {
+    return mapsRead(pass, 0) > 0 || readsModulativeMap(pass);
 }
 
 bool readsModulativeMap(const Ogre::Pass& pass) {

@@ -3,6 +3,7 @@
 #include <OgreGpuProgramParams.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ bool writesCasterDepth(const Ogre::Pass& pass);
 /// uniform of its programs is bound to, plus one. 0 where none is.
 /// @param light its place among the pass's lights
 std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light);
+
+/// How many maps the least of Lixel/ShadowMaps2, Lixel/Surface/Integrated/Maps2 and so on has that
+/// has so many; none where no such program and material has.
+std::optional<std::size_t> mapsOfProgramFor(std::size_t maps);
+
+/// Whether a pass reads Lixel's maps, as additive, integrated or modulative receivers do.
+bool readsMaps(const Ogre::Pass& pass);
 
 /// Whether a pass reads the map of the light whose modulative pass is drawn: its programs refer to
 /// the shared set Lixel/ModulativeReceiver.

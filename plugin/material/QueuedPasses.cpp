@@ -23,10 +23,6 @@ public:
     std::set<const Ogre::Pass*> passes;
 };
 
-bool readsMaps(const Ogre::Pass& pass) {
-    return mapsRead(pass, 0) > 0 || readsModulativeMap(pass);
-}
-
 /// The pass by which OGRE draws another's lights, outside of integrated techniques; null where
 /// there is none but OGRE's own.
 const Ogre::Pass* receiverOf(const Ogre::Pass& pass, Ogre::SceneManager& manager) {

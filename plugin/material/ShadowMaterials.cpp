@@ -42,7 +42,7 @@ std::string roleOf(Ogre::Material& material) {
     if (technique == nullptr || technique->getNumPasses() == 0) return {};
     const Ogre::Pass& pass = *technique->getPass(0);
     if (pass.getIlluminationStage() != Ogre::IS_UNKNOWN) return "surface";
-    if (mapsRead(pass, 0) > 0 || readsModulativeMap(pass)) return "receiver";
+    if (readsMaps(pass)) return "receiver";
     return writesCasterDepth(pass) ? "caster" : "";
 }
 
