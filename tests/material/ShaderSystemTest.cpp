@@ -97,11 +97,21 @@ std::vector<int> darkness(MaterialScene& scene) {
     return mask;
 }
 
+/// Gives ground and box a material without programs, a bit darker than white.
+void wearPlain(MaterialScene& scene) {
+    const char* const name = "Test/Plain";
+    Ogre::MaterialManager::getSingleton()
+        .create(name, Ogre::RGN_DEFAULT)
+        ->getTechnique(0)
+        ->getPass(0)
+        ->setDiffuse(0.8F, 0.8F, 0.8F, 1);
+    scene.wear(name);
+}
+
 /// A sun with three cascades, shown by Lixel's materials and then by the shader system's.
 class ShaderSystemCascades {
 public:
-    explicit ShaderSystemCascades(float nearDistance, const std::vector<Ogre::Real>& splits)
-        : mSplits(splits) {
+    ShaderSystemCascades(float nearDistance, const std::vector<Ogre::Real>& splits) {
         scene.stage.camera().setNearClipDistance(nearDistance);
         for (Ogre::Light* light : scene.lights)
             light->setVisible(light == scene.lights.front());
@@ -116,12 +126,7 @@ public:
         manager.setShadowTextureCasterMaterial(nullptr);
         manager.setShadowTextureSettings(512, 3, Ogre::PF_DEPTH16);
         ShaderSystem::usePssm({nearDistance, splits[0], splits[1], 100});
-        Ogre::MaterialManager::getSingleton()
-            .create("Test/Plain", Ogre::RGN_DEFAULT)
-            ->getTechnique(0)
-            ->getPass(0)
-            ->setDiffuse(0.8F, 0.8F, 0.8F, 1);
-        scene.wear("Test/Plain");
+        wearPlain(scene);
     }
 
     MaterialScene scene{Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, ""};
@@ -131,7 +136,6 @@ public:
     std::vector<int> own;
 
 private:
-    std::vector<Ogre::Real> mSplits;
     std::optional<ShaderSystem> mSystem;
 };
 
@@ -177,12 +181,7 @@ TEST(ForeignMaterials, OfOgreItselfReceiveAdditiveShadowsUnderAmbientLight) {
     constexpr int Ambient = 102;
     manager.setAmbientLight(Ogre::ColourValue(1, 1, 1) * (Ambient / 255.0F));
     constexpr int Sunlight = 43; // 0.3 of the light, 0.8 of the surface, at 45 degrees
-    Ogre::MaterialManager::getSingleton()
-        .create("Test/PlainToo", Ogre::RGN_DEFAULT)
-        ->getTechnique(0)
-        ->getPass(0)
-        ->setDiffuse(0.8F, 0.8F, 0.8F, 1);
-    scene.wear("Test/PlainToo");
+    wearPlain(scene);
     for (int frame = 0; frame < 2; ++frame) {
         const std::vector<int> picture = scene.draw();
         EXPECT_NEAR(picture[scene.pixelOf(Ogre::Vector3(-2, 0, 0))], Ambient, 1) << "in shadow";

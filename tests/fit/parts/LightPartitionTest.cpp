@@ -79,6 +79,15 @@ ShadowLight pointLight(const Scene& scene, Dice& dice, bool inView) {
 
 } // namespace
 
+/// Depths at which slices meet, ascending.
+std::vector<double> anySplits(const Scene& scene, Dice& dice) {
+    std::vector<double> splits;
+    for (std::size_t i = 0; i < 1 + dice.below(5); ++i)
+        splits.push_back(scene.size * std::pow(10.0, dice.in(-2.0, 1.0)));
+    std::ranges::sort(splits);
+    return splits;
+}
+
 TEST(LightPartition, TheWholeLightServesEverything) {
     const LightPartition parts = wholeLight(ShadowLight());
     ASSERT_EQ(parts.count, 1U);
@@ -90,10 +99,7 @@ TEST(LightPartition, SlicesAreByDepth) {
     const bool holds = rc::check([] {
         const Scene scene = *anyScene();
         Dice dice(*anySeed());
-        std::vector<double> splits;
-        for (std::size_t i = 0; i < 1 + dice.below(5); ++i)
-            splits.push_back(scene.size * std::pow(10.0, dice.in(-2.0, 1.0)));
-        std::ranges::sort(splits);
+        const std::vector<double> splits = anySplits(scene, dice);
         const LightPartition parts = sliceView(scene.viewer, scene.light, splits);
         RC_ASSERT(parts.count == splits.size() + 1);
         const auto points = pointsAround(scene, dice);
@@ -112,10 +118,7 @@ TEST(LightPartition, PaddedSlicesReachFartherAndServeTheSame) {
     const bool holds = rc::check([] {
         const Scene scene = *anyScene();
         Dice dice(*anySeed());
-        std::vector<double> splits;
-        for (std::size_t i = 0; i < 1 + dice.below(5); ++i)
-            splits.push_back(scene.size * std::pow(10.0, dice.in(-2.0, 1.0)));
-        std::ranges::sort(splits);
+        const std::vector<double> splits = anySplits(scene, dice);
         const double padding = scene.size * dice.in(0.0, 0.5);
         const LightPartition plain = sliceView(scene.viewer, scene.light, splits);
         const LightPartition padded = sliceView(scene.viewer, scene.light, splits, padding);
