@@ -7,7 +7,7 @@ namespace Lixel {
 
 struct FitState;
 
-/// Options of XPSM: pure numbers, none of which depends on a scene's scale.
+/// Options of XPSM: pure numbers, which do not depend on a scene's scale.
 struct XpsmOptions {
     /** Strength of the warp, Gusev's `coef` freed of its unit: coef = strength / sqrt(n f), for n
         and f the depths of the nearest and farthest visible receiver. 1 is the balance of near and
