@@ -30,37 +30,31 @@ set(public_headers
   fit/geometry/Plane.h
   fit/geometry/SurfaceCloud.h
   fit/geometry/Types.h
+  fit/problem/Option.h
   fit/problem/ShadowFit.h
   fit/problem/ShadowPart.h
   fit/problem/ShadowProblem.h
+  fit/problem/Technique.h
   fit/problem/TexelInPixels.h
-  fit/technique/LiSPSM.h
-  fit/technique/Optimal.h
-  fit/technique/PlaneOptimal.h
-  fit/technique/PostProjectiveCube.h
-  fit/technique/Psm.h
-  fit/technique/Trapezoidal.h
-  fit/technique/Uniform.h
-  fit/technique/Xpsm.h
   fit/parts/CascadeSplits.h
   setup/CascadesShadowCameraSetup.h
   setup/Detach.h
   setup/FittedShadowCameraSetup.h
-  setup/LiSPSMShadowCameraSetup.h
   setup/MeshPreparation.h
   setup/ObservedShadowCameraSetup.h
-  setup/OptimalShadowCameraSetup.h
-  setup/PSMShadowCameraSetup.h
   setup/PlaneOptimalShadowCameraSetup.h
   setup/PostProjectiveCubeShadowCameraSetup.h
+  setup/SetupList.h
+  setup/ShadowCameraSetups.h
   setup/ShadowMapObserver.h
-  setup/TrapezoidalShadowCameraSetup.h
-  setup/UniformShadowCameraSetup.h
-  setup/XPSMShadowCameraSetup.h
+  setup/TechniqueShadowCameraSetup.h
   material/ShadowMaterials.h
   material/ShadowParameters.h
   headless/Headless.h)
-foreach(header ${public_headers})
+# Each technique's options.
+file(GLOB techniques CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/plugin"
+  "${PROJECT_SOURCE_DIR}/plugin/fit/technique/*.h")
+foreach(header ${public_headers} ${techniques})
   get_filename_component(room "${header}" DIRECTORY)
   install(FILES "${PROJECT_SOURCE_DIR}/plugin/${header}"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/Lixel/${room}")

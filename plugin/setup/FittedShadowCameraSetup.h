@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/problem/Option.h"
 #include "fit/problem/ShadowFit.h"
 #include "fit/problem/ShadowPart.h"
 #include "fit/problem/ShadowProblem.h"
@@ -8,6 +9,7 @@
 #include <OgreSharedPtr.h>
 
 #include <OgreShadowCameraSetup.h>
+#include <OgreStringInterface.h>
 
 #include <memory>
 #include <vector>
@@ -16,8 +18,33 @@ namespace Lixel {
 
 struct DivisionMemory;
 struct FitState;
+struct LightMemory;
+class LightNews;
 struct LightPartition;
-struct ShadowTarget;
+class SetupMemory;
+class Survey;
+
+/// Options of all of Lixel's setups.
+struct CommonOptions {
+    /// How far receivers filter, in texels: the map keeps this and one texel more free around what
+    /// matters. 0 for one nearest tap, 1 for bilinear comparison.
+    double filterRadius = 1.0;
+    /** How near a caster must be to a receiver, along the light's axis, to be taken for the
+        receiver itself, in world units (Gusev 2007, §3.10). Receivers already correct for the slope
+        of their own surface within a texel, so this is for surfaces that are not planar at the
+        scale of a texel. */
+    double depthBias = 0.0;
+    /** Whether maps are fitted to convex hulls of meshes, where these fill their boxes badly, such
+        as what is long and turned. Hulls are made of a mesh's vertices as they were first read:
+        turn it off where static buffers are rewritten in place. What may move vertices otherwise
+        has no hull: vertex programs other than Lixel's and the shader generator's, larger bounds
+        than the vertices', buffers that are not static, skeletons, vertex animations and manual
+        levels of detail. A large mesh has none for some frames, until it is read.
+        @see prepareMesh */
+    bool meshHulls = true;
+
+    LIXEL_API static std::span<const Option> declared();
+};
 
 /** Base of all setups that fit a shadow map: survey, fit, shadow camera, caster volume, observers.
 
@@ -42,28 +69,33 @@ struct ShadowTarget;
     whichever of its maps and viewers it is, and no other until the light had nothing wrong for 600
     frames, so that input which is bad in every other frame does not flood it.
 
+    Options can be set and read as text too, by Ogre::StringInterface: setParameter("strength",
+    "0.5"), getParameter, getParameters. Those of CommonOptions are among them. A value that is none
+    of the option's throws Ogre::InvalidParametersException, which names those that are.
+
     A setup may outlive the lights, cameras and scene managers that it was used with, and Root; a
     new light or camera is another one, even at the address and by the name of an old one.
 */
-class LIXEL_API FittedShadowCameraSetup : public Ogre::ShadowCameraSetup {
+class LIXEL_API FittedShadowCameraSetup : public Ogre::ShadowCameraSetup,
+                                          public Ogre::StringInterface {
 public:
     ~FittedShadowCameraSetup() override;
     FittedShadowCameraSetup(const FittedShadowCameraSetup&) = delete;
     FittedShadowCameraSetup& operator=(const FittedShadowCameraSetup&) = delete;
 
-    /// How far receivers filter, in texels: the map keeps this and one texel more free around what
-    /// matters. 0 for one nearest tap, 1 for bilinear comparison. Default 1.
+    /// @see CommonOptions::filterRadius
     /// @throws Ogre::InvalidParametersException unless 0 <= texels <= 64.
     void setFilterRadius(Ogre::Real texels);
-    Ogre::Real getFilterRadius() const { return mFilterRadius; }
+    Ogre::Real getFilterRadius() const { return static_cast<Ogre::Real>(mCommon.filterRadius); }
 
-    /** How near a caster must be to a receiver, along the light's axis, to be taken for the
-        receiver itself, in world units (Gusev 2007, §3.10). Default 0: receivers already correct
-        for the slope of their own surface within a texel, so this is for surfaces that are not
-        planar at the scale of a texel.
-        @throws Ogre::InvalidParametersException unless finite and >= 0. */
+    /// @see CommonOptions::depthBias
+    /// @throws Ogre::InvalidParametersException unless finite and >= 0.
     void setDepthBias(Ogre::Real worldUnits);
-    Ogre::Real getDepthBias() const { return mDepthBias; }
+    Ogre::Real getDepthBias() const { return static_cast<Ogre::Real>(mCommon.depthBias); }
+
+    /// @see CommonOptions::meshHulls
+    void setMeshHulls(bool use) { mCommon.meshHulls = use; }
+    bool getMeshHulls() const { return mCommon.meshHulls; }
 
     /** What the viewer sees of the receivers, where the application knows it better than a few view
         rays against boxes and meshes do: points spread evenly over the picture, in world
@@ -74,22 +106,19 @@ public:
     void setVisiblePoints(const std::vector<VisiblePoint>& wsPoints);
     const std::vector<VisiblePoint>& getVisiblePoints() const { return mWsVisiblePoints; }
 
-    /** Whether maps are fitted to convex hulls of meshes, where these fill their boxes badly, such
-        as what is long and turned. Default true. Hulls are made of a mesh's vertices as they were
-        first read: turn it off where static buffers are rewritten in place. What may move vertices
-        otherwise has no hull: vertex programs other than Lixel's and the shader generator's, larger
-        bounds than the vertices', buffers that are not static, skeletons, vertex animations and
-        manual levels of detail. A large mesh has none for some frames, until it is read.
-        @see prepareMesh */
-    void setMeshHulls(bool use) { mMeshHulls = use; }
-    bool getMeshHulls() const { return mMeshHulls; }
-
     void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
                          const Ogre::Viewport* viewport, const Ogre::Light* light,
                          Ogre::Camera* shadowCamera, std::size_t iteration) const final;
 
 protected:
+    /// Without options of its own.
     FittedShadowCameraSetup();
+    /// @param name what it is called in lists and scripts
+    /// @param declared its own options, of the structure `options`; both must outlive it
+    FittedShadowCameraSetup(std::string_view name, std::span<const Option> declared, void* options);
+
+    /// @throws Ogre::InvalidParametersException where a structure's option has none of its values.
+    static void checkOptions(std::span<const Option> declared, const void* options);
 
     /// The technique: one map of the problem. @see fit/problem/ShadowFit.h
     virtual ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept = 0;
@@ -99,6 +128,9 @@ protected:
     /// @return no part where that many maps are too few
     virtual LightPartition divide(const ShadowProblem& problem, std::size_t maps,
                                   DivisionMemory& memory) const noexcept;
+
+    /// What divide() is given, for one light and viewer.
+    virtual std::unique_ptr<DivisionMemory> makeDivisionMemory() const;
 
     /// How many maps it makes at most of a sun that has so many. What a lamp takes depends on what
     /// stands around it.
@@ -111,21 +143,27 @@ protected:
     }
 
 private:
-    struct LightMemory;
-    struct LightNews;
-    struct Memory;
+    class OptionCommand;
+    struct Request;
+
+    /// Names its options to OGRE's StringInterface.
+    void declareParameters(std::string_view name);
+    /// The problem of all maps of a light.
+    ShadowProblem describe(const Request& request, const Survey& survey,
+                           const LightMemory& memory) const;
+    /// Finds what the light's maps share.
+    void findCasters(const ShadowProblem& problem, const Survey& survey, LightMemory& memory) const;
     /// Fits the next part that one of the light's remaining maps is for.
     ShadowFit fitNext(const ShadowProblem& problem, const Ogre::Light& light, std::size_t mapsLeft,
                       LightMemory& memory, LightNews& news, const ShadowPart*& part) const;
-    /// How many maps the light has. OGRE draws more than one right only under integrated
-    /// techniques. @param targets from the first one's on
-    std::size_t mapsOf(const Ogre::Light& light, const std::vector<ShadowTarget>& targets,
-                       const Ogre::SceneManager& sceneManager, LightNews& news) const;
+    /// Has the map drawn, or skipped where there is none.
+    static void draw(const Request& request, const ShadowFit& fit, const Vec3& wsOrigin,
+                     bool isDrawn, LightMemory& memory);
 
-    std::unique_ptr<Memory> mMemory;
-    Ogre::Real mFilterRadius = 1;
-    Ogre::Real mDepthBias = 0;
-    bool mMeshHulls = true;
+    std::unique_ptr<SetupMemory> mMemory;
+    CommonOptions mCommon;
+    std::span<const Option> mDeclared;
+    void* mOptions;
     std::vector<VisiblePoint> mWsVisiblePoints;
 };
 

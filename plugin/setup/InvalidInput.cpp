@@ -1,7 +1,7 @@
 #include "setup/InvalidInput.h"
 
-#include "fit/core/Fit.h"
 #include "fit/core/MapPlacement.h"
+#include "fit/core/Validity.h"
 
 #include <OgreMath.h>
 #include <OgreStringConverter.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fit/technique/PostProjectiveCube.h"
-#include "setup/FittedShadowCameraSetup.h"
+#include "setup/TechniqueShadowCameraSetup.h"
 
 namespace Lixel {
 
@@ -13,29 +13,22 @@ namespace Lixel {
     shadow technique and with a material that reads as many, such as
     `Lixel/Surface/Integrated/Maps6`; faces without shadows are not drawn. With one map it is a
     perspective shadow map (PSM) of a light that one map is enough for.
-
-    @see fit/technique/PostProjectiveCube.h
 */
-class LIXEL_API PostProjectiveCubeShadowCameraSetup : public FittedShadowCameraSetup {
+class LIXEL_API PostProjectiveCubeShadowCameraSetup
+    : public TechniqueShadowCameraSetup<CubeOptions> {
 public:
-    static std::shared_ptr<PostProjectiveCubeShadowCameraSetup> create() {
-        return std::make_shared<PostProjectiveCubeShadowCameraSetup>();
+    /// @throws Ogre::InvalidParametersException where an option has none of its values.
+    static std::shared_ptr<PostProjectiveCubeShadowCameraSetup>
+    create(const CubeOptions& options = {}) {
+        return std::make_shared<PostProjectiveCubeShadowCameraSetup>(options);
     }
-
-    /// As PSMShadowCameraSetup::setSlideBack: 0 favours the near most, 1 makes near and far alike.
-    /// Default 0.25.
-    /// @throws Ogre::InvalidParametersException unless finite and >= 0.
-    void setSlideBack(Ogre::Real slideBack);
-    Ogre::Real getSlideBack() const { return static_cast<Ogre::Real>(mOptions.slideBack); }
+    using TechniqueShadowCameraSetup::TechniqueShadowCameraSetup;
 
 protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
     LightPartition divide(const ShadowProblem& problem, std::size_t maps,
                           DivisionMemory& memory) const noexcept override;
     std::size_t mapsOfSun(std::size_t maps) const noexcept override { return maps; }
-
-private:
-    CubeOptions mOptions;
 };
 
 } // namespace Lixel

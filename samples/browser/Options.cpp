@@ -1,6 +1,7 @@
 #include "browser/Options.h"
 
 #include <CLI/CLI.hpp>
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -49,11 +50,15 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
                  "lixel-browser"};
     app.get_formatter()->column_width(34);
     app.add_flag("--list", options.list, "List samples and setups, then exit");
+    app.add_flag("--options", options.listOptions,
+                 "Print the options of all setups as a table, then exit");
     app.add_flag("--headless", options.headless, "Draw without a window or display server");
     auto* sample = app.add_option("--sample", options.sample, "Sample scene (see --list)");
     app.add_option("--scene", options.modelFile, "Model file instead of a sample: glTF, OBJ, …")
         ->excludes(sample);
     app.add_option("--setup", options.setup, "Shadow camera setup (see --list)");
+    app.add_option("--set", options.assignments,
+                   "An option of the setup, KEYWORD=VALUE; may be given several times");
     app.add_option("--map", options.mapSize, "Shadow map size in texels")
         ->check(CLI::Range(16, 8192));
     app.add_option_function<std::string>(
@@ -85,6 +90,8 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
     if (findShadowSetup(options.setup) == nullptr)
         return complain(fmt::format("there is no setup '{}'; there are: {}", options.setup,
                                     namesOf(shadowSetups())));
+    const std::string wrong = wrongAssignment(*findShadowSetup(options.setup), options.assignments);
+    if (!wrong.empty()) return complain(wrong);
     return options;
 }
 

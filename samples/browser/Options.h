@@ -12,10 +12,13 @@ namespace Lixel::Samples {
 /// What the command line asks for.
 struct BrowserOptions {
     bool list = false;
+    bool listOptions = false;
     bool headless = false;
     std::string sample = "field";
     std::string modelFile; ///< instead of a sample
     std::string setup = "XPSM";
+    /// Its options, KEYWORD=VALUE each.
+    std::vector<std::string> assignments;
     int mapSize = 1024;
     int width = 800;
     int height = 600;

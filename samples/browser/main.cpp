@@ -1,6 +1,7 @@
 #include "browser/Options.h"
 #include "browser/Report.h"
 #include "browser/Viewer.h"
+#include "common/OptionsTable.h"
 
 #include <Lixel/headless/Headless.h>
 
@@ -25,7 +26,8 @@ int show(Stage& stage, const BrowserOptions& options) {
                                                        options.azimuthElevation->second)
                                             : defaultLight(scene, view));
     stage.setShadowMapSize(options.mapSize);
-    stage.setShadowSetup(findShadowSetup(options.setup)->create());
+    stage.setShadowSetup(
+        withOptions(*findShadowSetup(options.setup), options.assignments).create());
     if (options.headless)
         drawHeadless(stage, scene, options);
     else
@@ -56,6 +58,10 @@ int main(int argc, char** argv) {
         const auto parsed = parseOptions(argc, argv);
         if (const int* const exitCode = std::get_if<int>(&parsed)) return *exitCode;
         const BrowserOptions& options = std::get<BrowserOptions>(parsed);
+        if (options.listOptions) {
+            fmt::print("{}", optionsTable());
+            return 0;
+        }
         if (options.list) {
             printNames();
             return 0;

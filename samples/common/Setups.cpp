@@ -1,23 +1,19 @@
 #include "common/Setups.h"
 
-#include <Lixel/setup/CascadesShadowCameraSetup.h>
-#include <Lixel/setup/LiSPSMShadowCameraSetup.h>
-#include <Lixel/setup/ObservedShadowCameraSetup.h>
-#include <Lixel/setup/OptimalShadowCameraSetup.h>
-#include <Lixel/setup/PSMShadowCameraSetup.h>
-#include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
-#include <Lixel/setup/PostProjectiveCubeShadowCameraSetup.h>
-#include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
-#include <Lixel/setup/UniformShadowCameraSetup.h>
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
+#include <Lixel/setup/SetupList.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <OgreCamera.h>
+#include <OgreException.h>
 #include <OgreLight.h>
 #include <OgreMovablePlane.h>
 #include <OgreShadowCameraSetupFocused.h>
 #include <OgreShadowCameraSetupLiSPSM.h>
 #include <OgreShadowCameraSetupPSSM.h>
 #include <OgreShadowCameraSetupPlaneOptimal.h>
+#include <OgreStringInterface.h>
+
+#include <stdexcept>
 
 namespace Lixel::Samples {
 namespace {
@@ -98,9 +94,10 @@ NamedSetup threeSplits() {
     return setup;
 }
 
-template <typename T>
-NamedSetup lixel(const std::string& name, const std::string& title) {
-    return {name, title, [] { return T::create(); }};
+/// One of Lixel's own.
+NamedSetup lixel(std::string_view kind) {
+    const SetupKind& found = *findSetupKind(kind);
+    return {std::string(found.name), "Lixel: " + std::string(found.title), found.create};
 }
 
 template <typename T>
@@ -122,37 +119,41 @@ NamedSetup severalMaps(const std::string& name, const std::string& title, std::s
 }
 
 Ogre::ShadowCameraSetupPtr createStable() {
-    auto setup = std::make_shared<UniformShadowCameraSetup>();
-    setup->setStable(true);
-    return setup;
+    return UniformShadowCameraSetup::create({.stable = true});
 }
 
 Ogre::ShadowCameraSetupPtr createStableCascades() {
-    auto setup = std::make_shared<CascadesShadowCameraSetup>(createStable());
-    setup->setFollowReceivers(false);
-    return setup;
+    return CascadesShadowCameraSetup::create(createStable(), {.followReceivers = false});
+}
+
+/// What a list of options lets one set.
+std::string describe(std::span<const Option> options) {
+    std::string text;
+    for (const Option& option : options)
+        text += "\n  " + std::string(option.keyword) + ": " + describeValues(option);
+    return text;
 }
 
 } // namespace
 
 const std::vector<NamedSetup>& shadowSetups() {
-    static const std::vector<NamedSetup> setups{
-        lixel<UniformShadowCameraSetup>("Uniform", "Lixel: uniform, focused on visible receivers"),
-        lixel<XPSMShadowCameraSetup>("XPSM", "Lixel: extended perspective shadow map"),
-        lixel<OptimalShadowCameraSetup>("Optimal", "Lixel: texels smallest where the viewer looks"),
-        lixel<LiSPSMShadowCameraSetup>("LiSPSM", "Lixel: light space perspective"),
-        lixel<TrapezoidalShadowCameraSetup>("Trapezoidal", "Lixel: trapezoid, 80 % for the near"),
-        lixel<PSMShadowCameraSetup>("PSM", "Lixel: perspective, in the viewer's space"),
-        lixel<PlaneOptimalShadowCameraSetup>("PlaneOptimal",
-                                             "Lixel: warped as the ground plane wants it"),
-        ogre<Ogre::DefaultShadowCameraSetup>("Ogre-Default", "OGRE: uniform"),
-        ogre<Ogre::FocusedShadowCameraSetup>("Ogre-Focused", "OGRE: uniform, focused"),
-        ogre<Ogre::LiSPSMShadowCameraSetup>("Ogre-LiSPSM", "OGRE: light space perspective"),
-        ogre<OptimalLiSPSMSetup>("Ogre-LiSPSM-Optimal",
-                                 "OGRE: light space perspective, its optimal parameter"),
-        ogre<OneSplitSetup>("Ogre-PSSM", "OGRE: parallel split, one split"),
-        ogre<GroundOptimalSetup>("Ogre-PlaneOptimal", "OGRE: optimal for the ground plane"),
-    };
+    static const std::vector<NamedSetup> setups = [] {
+        std::vector<NamedSetup> all;
+        for (const Technique* const technique : techniques())
+            all.push_back(lixel(technique->name));
+        all.insert(
+            all.end(),
+            {
+                ogre<Ogre::DefaultShadowCameraSetup>("Ogre-Default", "OGRE: uniform"),
+                ogre<Ogre::FocusedShadowCameraSetup>("Ogre-Focused", "OGRE: uniform, focused"),
+                ogre<Ogre::LiSPSMShadowCameraSetup>("Ogre-LiSPSM", "OGRE: light space perspective"),
+                ogre<OptimalLiSPSMSetup>("Ogre-LiSPSM-Optimal",
+                                         "OGRE: light space perspective, its optimal parameter"),
+                ogre<OneSplitSetup>("Ogre-PSSM", "OGRE: parallel split, one split"),
+                ogre<GroundOptimalSetup>("Ogre-PlaneOptimal", "OGRE: optimal for the ground plane"),
+            });
+        return all;
+    }();
     return setups;
 }
 
@@ -185,6 +186,48 @@ const NamedSetup* findShadowSetup(const std::string& name) {
 
 const NamedSetup* findEmulatedSetup(const std::string& name) {
     return find(emulatedSetups(), name);
+}
+
+NamedSetup withOptions(const NamedSetup& setup, const std::vector<std::string>& assignments) {
+    NamedSetup result = setup;
+    result.create = [create = setup.create, assignments] {
+        Ogre::ShadowCameraSetupPtr made = create();
+        auto* const options = dynamic_cast<Ogre::StringInterface*>(made.get());
+        for (const std::string& assignment : assignments) {
+            const std::size_t equals = assignment.find('=');
+            if (equals == std::string::npos)
+                throw std::invalid_argument("'" + assignment + "' is not KEYWORD=VALUE");
+            const std::string keyword = assignment.substr(0, equals);
+            if (options == nullptr ||
+                !options->setParameter(keyword, assignment.substr(equals + 1)))
+                throw std::invalid_argument("there is no option '" + keyword + "'");
+        }
+        return made;
+    };
+    return result;
+}
+
+std::string wrongAssignment(const NamedSetup& setup, const std::vector<std::string>& assignments) {
+    if (assignments.empty()) return {};
+    const std::string known = describeOptions(setup);
+    // OGRE's own could not even be made before there is a Root.
+    if (known.empty()) return "setup '" + setup.name + "' has no options that can be set";
+    std::string wrong;
+    try {
+        withOptions(setup, assignments).create();
+        return {};
+    } catch (const Ogre::Exception& error) {
+        wrong = error.getDescription();
+    } catch (const std::invalid_argument& error) {
+        wrong = error.what();
+    }
+    return "setup '" + setup.name + "': " + wrong + "; its options are" + known;
+}
+
+std::string describeOptions(const NamedSetup& setup) {
+    const SetupKind* const kind = findSetupKind(setup.name);
+    return kind == nullptr ? std::string()
+                           : describe(kind->options) + describe(CommonOptions::declared());
 }
 
 } // namespace Lixel::Samples

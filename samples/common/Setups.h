@@ -16,8 +16,7 @@ struct NamedSetup {
     /// Maps of one light.
     std::size_t maps = 1;
     /// Where the ranges of view depths meet that they serve, for setups that do not say it
-    /// themselves: maps + 1 view depths in world units, from
-    /// the viewer and how far shadows reach.
+    /// themselves: maps + 1 view depths in world units, from the viewer and how far shadows reach.
     std::function<std::vector<double>(const Ogre::Camera& viewer, double shadowDistance)>
         splitDepths = {};
 };
@@ -42,5 +41,15 @@ const std::vector<NamedSetup>& emulatedSetups();
 const NamedSetup* findShadowSetup(const std::string& name);
 /// The same among emulatedSetups().
 const NamedSetup* findEmulatedSetup(const std::string& name);
+
+/** A setup whose options are set, as text: KEYWORD=VALUE each.
+
+    Its `create` throws std::invalid_argument or Ogre::InvalidParametersException, which say what
+    is wrong. */
+NamedSetup withOptions(const NamedSetup& setup, const std::vector<std::string>& assignments);
+/// What is wrong with such assignments, and the options that there are; empty where all are right.
+std::string wrongAssignment(const NamedSetup& setup, const std::vector<std::string>& assignments);
+/// The options of one of Lixel's setups, and their values, in lines; empty for OGRE's own.
+std::string describeOptions(const NamedSetup& setup);
 
 } // namespace Lixel::Samples

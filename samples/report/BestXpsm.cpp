@@ -1,6 +1,6 @@
 #include "report/BestXpsm.h"
 
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <fmt/core.h>
 
@@ -22,11 +22,8 @@ NamedSetup xpsm(float strength, float epsilonW, bool guarded) {
     setup.name = fmt::format("{} {:>5} {:>3}", guarded ? "guarded" : "literal", strength, epsilonW);
     setup.title = "Lixel: extended perspective shadow map, with constants";
     setup.create = [=] {
-        auto instance = std::make_shared<XPSMShadowCameraSetup>();
-        instance->setStrength(strength);
-        instance->setEpsilonW(epsilonW);
-        instance->setGuarded(guarded);
-        return instance;
+        return XPSMShadowCameraSetup::create(
+            {.strength = strength, .epsilonW = epsilonW, .guarded = guarded});
     };
     return setup;
 }

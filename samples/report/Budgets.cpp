@@ -49,7 +49,7 @@ public:
 protected:
     ShadowFit fit(const ShadowProblem& problem, FitState&) const noexcept override {
         FitState before;
-        (void)fitOptimal(problem, mBudget.options, before); // makes its scratch memory
+        (void)fitMap(problem, mBudget.options, before); // makes its scratch memory
         forget(before);
         if (mBudget.follows) turnTowards(problem, before);
         double fastest = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ protected:
         for (int i = 0; i < Repetitions; ++i) {
             FitState state = before;
             const auto begin = std::chrono::steady_clock::now();
-            result = fitOptimal(problem, mBudget.options, state);
+            result = fitMap(problem, mBudget.options, state);
             const std::chrono::duration<double, std::micro> passed =
                 std::chrono::steady_clock::now() - begin;
             fastest = std::min(fastest, passed.count());
@@ -68,8 +68,8 @@ protected:
 
 private:
     static void forget(FitState& state) {
-        state.search.reset();
-        state.wsMapAxis.reset();
+        state.memory.search.reset();
+        state.memory.wsMapAxis.reset();
     }
     void turnTowards(const ShadowProblem& problem, FitState& state) const {
         ShadowProblem frame = problem;
@@ -79,7 +79,7 @@ private:
                 Eigen::AngleAxisd(i * TurnPerFrame, Vec3::UnitY()).toRotationMatrix();
             // The viewer is at the problem's origin or next to it.
             frame.viewer.viewFromWorld = problem.viewer.viewFromWorld * turn;
-            (void)fitOptimal(frame, mBudget.options, state);
+            (void)fitMap(frame, mBudget.options, state);
         }
     }
 

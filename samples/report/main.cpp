@@ -17,6 +17,8 @@ namespace {
 
 struct Options {
     std::string setup = "XPSM";
+    /// Its options, KEYWORD=VALUE each.
+    std::vector<std::string> assignments;
     std::string baseline = "Uniform";
     std::string modelFile;
     int width = 400;
@@ -34,7 +36,8 @@ std::vector<ComparedCase> compareScene(const std::string& name, const Options& o
     Stage stage({.headless = true, .width = options.width, .height = options.height});
     const SampleScene scene = name.empty() ? modelScene(options.modelFile) : *findSampleScene(name);
     stage.show(scene);
-    return compareSetups(stage, scene, *findShadowSetup(options.setup),
+    return compareSetups(stage, scene,
+                         withOptions(*findShadowSetup(options.setup), options.assignments),
                          *findShadowSetup(options.baseline), options.lights,
                          std::span(scene.views).first(options.firstView ? 1 : scene.views.size()),
                          [](const std::string& left) {
@@ -82,6 +85,8 @@ int main(int argc, char** argv) {
     CLI::App app{"Compares the errors of two shadow setups over all samples, on maps sized so that "
                  "the baseline errs 1 to 5 %; or of all setups, on maps of one size."};
     app.add_option("--setup", options.setup, "Setup to judge");
+    app.add_option("--set", options.assignments,
+                   "An option of the setup to judge, KEYWORD=VALUE; may be given several times");
     app.add_option("--baseline", options.baseline, "Setup to compare it with");
     app.add_option("--scene", options.modelFile, "A model file as one more scene");
     app.add_option("--lights", options.lights, "Lights of each scene");
@@ -101,6 +106,11 @@ int main(int argc, char** argv) {
             fmt::print(stderr, "lixel-report: there is no setup '{}'\n", name);
             return 2;
         }
+    }
+    const std::string wrong = wrongAssignment(*findShadowSetup(options.setup), options.assignments);
+    if (!wrong.empty()) {
+        fmt::print(stderr, "lixel-report: {}\n", wrong);
+        return 2;
     }
     std::vector<std::string> names;
     for (const SampleScene& scene : sampleScenes())

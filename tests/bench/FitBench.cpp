@@ -5,13 +5,7 @@
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
 // viewer turns a little from one fit to the next, as it does from frame to frame.
 #include "fit/core/FitState.h"
-#include "fit/technique/LiSPSM.h"
-#include "fit/technique/Optimal.h"
-#include "fit/technique/PlaneOptimal.h"
-#include "fit/technique/Psm.h"
-#include "fit/technique/Trapezoidal.h"
-#include "fit/technique/Uniform.h"
-#include "fit/technique/Xpsm.h"
+#include "fit/technique/Techniques.h"
 
 #include <benchmark/benchmark.h>
 
@@ -25,21 +19,6 @@ namespace Lixel::Bench {
 namespace {
 
 constexpr double Degree = std::numbers::pi / 180.0;
-
-/// A new technique adds one line here.
-struct Technique {
-    const char* name;
-    ShadowFit (*fit)(const ShadowProblem&, FitState&);
-};
-constexpr std::array<Technique, 7> Techniques = {{
-    {"Uniform", [](const ShadowProblem& p, FitState& s) { return fitUniform(p, s); }},
-    {"Xpsm", [](const ShadowProblem& p, FitState& s) { return fitXpsm(p, XpsmOptions{}, s); }},
-    {"Optimal", [](const ShadowProblem& p, FitState& s) { return fitOptimal(p, {}, s); }},
-    {"LiSPSM", [](const ShadowProblem& p, FitState& s) { return fitLiSPSM(p, {}, s); }},
-    {"Trapezoidal", [](const ShadowProblem& p, FitState& s) { return fitTrapezoidal(p, {}, s); }},
-    {"Psm", [](const ShadowProblem& p, FitState& s) { return fitPsm(p, {}, s); }},
-    {"PlaneOptimal", [](const ShadowProblem& p, FitState& s) { return fitPlaneOptimal(p, {}, s); }},
-}};
 
 struct Light {
     const char* name;
@@ -109,11 +88,12 @@ private:
 
 void measure(benchmark::State& state, const Technique& technique, LightKind kind, int objects) {
     Field field(kind, objects);
+    const std::shared_ptr<void> options = technique.makeOptions(nullptr);
     FitState memory;
     int frame = 0;
     for (auto _ : state) {
         field.setFrame(frame++);
-        const ShadowFit fit = technique.fit(field.problem, memory);
+        const ShadowFit fit = technique.fit(field.problem, options.get(), memory);
         if (!fit.hasMap()) {
             state.SkipWithError(toString(fit.reason));
             break;
@@ -127,14 +107,14 @@ void measure(benchmark::State& state, const Technique& technique, LightKind kind
 
 int main(int argc, char** argv) {
     using namespace Lixel::Bench;
-    for (const Technique& technique : Techniques)
+    for (const Lixel::Technique* const technique : Lixel::techniques())
         for (const Light& light : Lights)
             for (const int objects : Sizes) {
                 const std::string name =
-                    std::string(technique.name) + "/" + light.name + "/" + std::to_string(objects);
-                benchmark::RegisterBenchmark(name.c_str(), [&technique, light,
+                    std::string(technique->name) + "/" + light.name + "/" + std::to_string(objects);
+                benchmark::RegisterBenchmark(name.c_str(), [technique, light,
                                                             objects](auto& state) {
-                    measure(state, technique, light.kind, objects);
+                    measure(state, *technique, light.kind, objects);
                 })->Unit(benchmark::kMicrosecond);
             }
     benchmark::Initialize(&argc, argv);

@@ -14,9 +14,8 @@
 
 #include "scene/CasterSearch.h"
 #include "scene/OgreMath.h"
+#include "setup/ShadowCameraSetups.h"
 #include "setup/ShadowMapObserver.h"
-#include "setup/UniformShadowCameraSetup.h"
-#include "setup/XPSMShadowCameraSetup.h"
 
 #include <OgreCamera.h>
 #include <OgreEntity.h>

@@ -1,8 +1,9 @@
 #!/bin/sh
-# The browser's command line, headless: commands.sh BROWSER FOLDER.
+# The browser's command line, headless: commands.sh BROWSER FOLDER README.
 set -eu
 browser=$1
 folder=$2
+readme=$3
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
@@ -39,6 +40,22 @@ for setup in $(sed -n '/^Setups:/,$s/^  //p' list); do
         grep -q "\"$key\": " "$setup.json" || fail "no $key in the statistics of $setup"
     done
 done
+
+# The README's table is what the browser prints.
+"$browser" --options >options
+sed -n '/^| setup | option | values |/,/^$/{/^|/p}' "$readme" | cmp - options ||
+    fail "the README's table of options is not what --options prints"
+
+"$browser" --headless --sample duel --setup XPSM --set strength=0 --set guarded=false --map 128 \
+    --size 160x120 --output flat.png --comparison flat-comparison.png --stats flat.json >/dev/null
+"$browser" --headless --sample duel --setup Uniform --map 128 --size 160x120 --output uniform.png \
+    --stats uniform.json >/dev/null
+cmp -s flat.png uniform.png || fail "a warp of strength 0 is not the uniform map"
+refuses 2 "strength: '-1' is not a number, at least 0" --headless --setup XPSM --set strength=-1
+refuses 2 "no option 'color'" --headless --setup XPSM --set color=red
+refuses 2 "guarded: true or false" --headless --setup XPSM --set color=red
+refuses 2 "KEYWORD=VALUE" --headless --setup XPSM --set strength
+refuses 2 "no options that can be set" --headless --setup Ogre-Default --set strength=1
 
 refuses 2 "there are: field" --headless --sample nowhere
 refuses 2 "there are: Uniform" --headless --setup Magic

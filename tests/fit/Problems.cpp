@@ -1,13 +1,5 @@
 #include "Problems.h"
 
-#include "fit/technique/LiSPSM.h"
-#include "fit/technique/Optimal.h"
-#include "fit/technique/PlaneOptimal.h"
-#include "fit/technique/Psm.h"
-#include "fit/technique/Trapezoidal.h"
-#include "fit/technique/Uniform.h"
-#include "fit/technique/Xpsm.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -364,50 +356,6 @@ rc::Gen<Scene> anySceneOfHulls() {
     });
 }
 
-PlaneOptimalOptions groundOf(const ShadowProblem& problem) {
-    double lowest = Infinity;
-    if (problem.receivers != nullptr)
-        for (const Box& box : problem.receivers->boxes())
-            lowest = std::min(lowest, box.centre.y() - box.halfExtents.y());
-    return {.wsNormal = Vec3::UnitY(), .offset = std::isfinite(lowest) ? -lowest : 0.0};
-}
-
-std::ostream& operator<<(std::ostream& out, const Technique& technique) {
-    return out << technique.name;
-}
-
-const std::vector<Technique>& techniques() {
-    static const std::vector<Technique> all = {
-        {"Uniform",
-         [](const ShadowProblem& problem, FitState& state) { return fitUniform(problem, state); }},
-        {"StableUniform",
-         [](const ShadowProblem& problem, FitState& state) {
-             return fitUniform(problem, {.stable = true}, state);
-         }},
-        {"Xpsm", [](const ShadowProblem& problem,
-                    FitState& state) { return fitXpsm(problem, XpsmOptions{}, state); }},
-        {"LiteralXpsm",
-         [](const ShadowProblem& problem, FitState& state) {
-             return fitXpsm(problem, {.strength = 2.0, .epsilonW = 0.7, .guarded = false}, state);
-         }},
-        {"Optimal", [](const ShadowProblem& problem,
-                       FitState& state) { return fitOptimal(problem, {}, state); }},
-        {"LiSPSM", [](const ShadowProblem& problem,
-                      FitState& state) { return fitLiSPSM(problem, LiSPSMOptions{}, state); }},
-        {"Trapezoidal",
-         [](const ShadowProblem& problem, FitState& state) {
-             return fitTrapezoidal(problem, TrapezoidalOptions{}, state);
-         }},
-        {"Psm", [](const ShadowProblem& problem,
-                   FitState& state) { return fitPsm(problem, PsmOptions{}, state); }},
-        {"PlaneOptimal",
-         [](const ShadowProblem& problem, FitState& state) {
-             return fitPlaneOptimal(problem, groundOf(problem), state);
-         }},
-    };
-    return all;
-}
-
 bool isLostInRounding(const Scene& scene, const FitState& state) {
     const FocusRegion& region = state.region;
     double reach = std::max(
@@ -432,7 +380,7 @@ std::vector<ViewSample> samplesOf(const ShadowProblem& problem, const SampleCoun
     findFocusRegion(problem, image, scratch, region);
     SampleScratch sampling;
     std::vector<ViewSample> samples;
-    sampleView(problem, image, region.liHull, scratch.receiversInView, count, sampling, samples);
+    sampleView(problem, image, region.liHull, region.receiversInView, count, sampling, samples);
     return samples;
 }
 

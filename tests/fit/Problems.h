@@ -4,7 +4,6 @@
 #include "fit/geometry/BodyHull.h"
 #include "fit/problem/ShadowFit.h"
 #include "fit/problem/ShadowProblem.h"
-#include "fit/technique/PlaneOptimal.h"
 
 #include <rapidcheck.h>
 
@@ -118,13 +117,6 @@ rc::Gen<Scene> anyScene();
 /// The same, where in every other scene some of the bodies are turned, and say so.
 rc::Gen<Scene> anySceneOfHulls();
 
-/// A technique by its name, for tests that all techniques pass.
-struct Technique {
-    const char* name;
-    ShadowFit (*fit)(const ShadowProblem&, FitState&);
-};
-std::ostream& operator<<(std::ostream& out, const Technique& technique);
-
 /// Names the instances of a parameterised test by the parameter's `name`.
 struct ByName {
     template <typename Info>
@@ -132,12 +124,6 @@ struct ByName {
         return info.param.name;
     }
 };
-
-/// The plane under all receivers, for the technique that wants one.
-PlaneOptimalOptions groundOf(const ShadowProblem& problem);
-
-/// Every technique with its default options.
-const std::vector<Technique>& techniques();
 
 /// Whether the focus region of a scene's last fit is too small for its warp to be told from float's
 /// rounding: the shared fit shortens any warp there.

@@ -3,9 +3,8 @@
 #include "ChildProcess.h"
 
 #include <Lixel/scene/OgreVersions.h>
-#include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 #include <Lixel/setup/ShadowPass.h>
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
 
 #include <fmt/core.h>
 
@@ -58,20 +57,12 @@ const std::vector<Samples::NamedSetup>& judgedSetups() {
         Samples::NamedSetup literal;
         literal.name = "XPSM-Literal";
         literal.title = "Lixel: extended perspective shadow map, as the paper has it";
-        literal.create = [] {
-            auto setup = std::make_shared<XPSMShadowCameraSetup>();
-            setup->setGuarded(false);
-            return setup;
-        };
+        literal.create = [] { return XPSMShadowCameraSetup::create({.guarded = false}); };
         all.insert(all.begin() + 2, literal);
         Samples::NamedSetup exact;
         exact.name = "PlaneOptimal-Exact";
         exact.title = "Lixel: exactly the viewer's picture of the ground plane";
-        exact.create = [] {
-            auto setup = std::make_shared<PlaneOptimalShadowCameraSetup>();
-            setup->setExact(true);
-            return setup;
-        };
+        exact.create = [] { return PlaneOptimalShadowCameraSetup::create({.exact = true}); };
         for (const char* const name : {"Stable", "Cascades-3", "Stable-Cascades-3", "Cube"}) {
             all.insert(std::find_if_not(all.begin(), all.end(), isLixels),
                        *Samples::findEmulatedSetup(name));

@@ -6,7 +6,8 @@
 
 #include "common/Comparison.h"
 
-#include <Lixel/fit/technique/WarpSearch.h>
+#include <Lixel/fit/core/Fit.h>
+#include <Lixel/fit/rule/WarpSearch.h>
 #include <Lixel/fit/technique/Xpsm.h>
 
 #include <fmt/core.h>
@@ -84,15 +85,15 @@ Summary summaryOf(const SampleScene& sample) {
 
 ShadowFit ExtentSetup::fit(const ShadowProblem& problem, FitState& state) const noexcept {
     mExtent.judged = false;
-    const ShadowFit guarded = fitXpsm(problem, {}, state);
+    const ShadowFit guarded = fitMap(problem, XpsmOptions{}, state);
     FitState cold;
     XpsmOptions options;
     options.guarded = false;
-    const ShadowFit literal = fitXpsm(problem, options, cold);
+    const ShadowFit literal = fitMap(problem, options, cold);
     if (!guarded.hasMap() || !literal.hasMap()) return guarded;
     // A rule that only asks what is expected of these warps, about the same centre.
-    const auto judge = [&](const WarpContext& context) {
-        WarpSearch search(context, ViewSamples);
+    const auto judge = [&](const WarpContext& context, RuleState memory) {
+        WarpSearch search(context, ViewSamples, memory);
         mExtent.judged = search.usable();
         if (!mExtent.judged) return WarpChoice{};
         mExtent.guarded = search(search.spread(guarded.liWarp));

@@ -2,8 +2,7 @@
 
 #include "MaterialScene.h"
 
-#include <Lixel/setup/CascadesShadowCameraSetup.h>
-#include <Lixel/setup/OptimalShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 namespace Lixel::Tests {
 namespace {
@@ -105,7 +104,7 @@ TEST_F(FewMaps, AreNoNewsWhereOneIsAllThereIs) {
 TEST_F(FewMaps, OfASetupAreNamedWhereItsSunHasMore) {
     const std::string said = "light 'Light' has 3 shadow textures, and its setup fills ";
     const auto cascades = CascadesShadowCameraSetup::create();
-    cascades->setSplitDepths({15});
+    cascades->setOptions({.vsSplitDepths = {15.0}});
     scene.lights[0]->setCustomShadowCameraSetup(cascades);
     draw("Lixel/Surface/Integrated/Maps6");
     EXPECT_EQ(log.count(said + "2"), 1U) << log.all();

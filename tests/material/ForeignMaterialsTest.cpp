@@ -3,7 +3,7 @@
 #include "MaterialScene.h"
 
 #include <Lixel/material/ShadowMaterials.h>
-#include <Lixel/setup/CascadesShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 namespace Lixel::Tests {
 namespace {

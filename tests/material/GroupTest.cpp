@@ -4,7 +4,7 @@
 #include "MaterialScene.h"
 
 #include <Lixel/material/ShadowMaterials.h>
-#include <Lixel/setup/CascadesShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <algorithm>
 #include <fstream>

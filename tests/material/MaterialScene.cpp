@@ -1,6 +1,6 @@
 #include "MaterialScene.h"
 
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <cstdlib>
 

@@ -4,7 +4,7 @@
 
 #include <Lixel/fit/parts/LightPartition.h>
 #include <Lixel/material/ShadowParameters.h>
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <OgreHighLevelGpuProgramManager.h>
 #include <OgreShadowCameraSetup.h>

@@ -2,7 +2,7 @@
 
 #include "MaterialScene.h"
 
-#include <Lixel/setup/CascadesShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <RTShaderSystem/OgreRTShaderSystem.h>
 
@@ -160,7 +160,9 @@ TEST(ForeignMaterials, OfTheShaderSystemTakePaddedCascades) {
 #if OGRE_VERSION_MAJOR < 14 // which shows all of it here, padded or not
     EXPECT_GT(differing(stage.own, without), 0.2) << "half of the shadow is missing";
 #endif
-    stage.cascades->setSplitPadding(3);
+    CascadeOptions options = stage.cascades->getOptions();
+    options.splitPadding = 3.0;
+    stage.cascades->setOptions(options);
     const std::vector<int> padded = darkness(stage.scene);
     stage.scene.keepPicture("foreign-shader-system-padded");
     EXPECT_LT(differing(stage.own, padded), 0.1);

@@ -3,9 +3,8 @@
 #include "SceneTest.h"
 
 #include "scene/OgreMath.h"
+#include "setup/ShadowCameraSetups.h"
 #include "setup/ShadowMapObserver.h"
-#include "setup/UniformShadowCameraSetup.h"
-#include "setup/XPSMShadowCameraSetup.h"
 
 #include <OgreMovableObject.h>
 

@@ -31,7 +31,7 @@ ShadowFit fit(const Survey& survey, const ShadowLight& light, double shadowDista
     // The nearest caster shows in the depth range.
     problem.depthClamp = false;
     FitState state;
-    return fitUniform(problem, state);
+    return fitMap(problem, UniformOptions{}, state);
 }
 
 class CasterSearchTest : public SceneTest {

@@ -128,8 +128,8 @@ protected:
         problem.casters = &casters;
         problem.receivers = &receivers;
         FitState state;
-        result.fit = dice.in(0.0, 1.0) < 0.5 ? fitXpsm(problem, XpsmOptions{}, state)
-                                             : fitUniform(problem, state);
+        result.fit = dice.in(0.0, 1.0) < 0.5 ? fitMap(problem, XpsmOptions{}, state)
+                                             : fitMap(problem, UniformOptions{}, state);
         if (!result.fit.hasMap()) return nullptr;
         result.region = state.region;
         result.wsOrigin = GetParam().originDistance * dice.direction();

@@ -2,16 +2,8 @@
 
 #include "TestStage.h"
 
-#include <Lixel/setup/CascadesShadowCameraSetup.h>
-#include <Lixel/setup/LiSPSMShadowCameraSetup.h>
-#include <Lixel/setup/ObservedShadowCameraSetup.h>
-#include <Lixel/setup/OptimalShadowCameraSetup.h>
-#include <Lixel/setup/PSMShadowCameraSetup.h>
-#include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
-#include <Lixel/setup/PostProjectiveCubeShadowCameraSetup.h>
-#include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
-#include <Lixel/setup/UniformShadowCameraSetup.h>
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
+#include <Lixel/setup/SetupList.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <OgreException.h>
 #include <OgreMovablePlane.h>
@@ -44,7 +36,8 @@ TEST(Options, FilterRadius) {
     setup.setFilterRadius(3);
     EXPECT_EQ(setup.getFilterRadius(), 3.0F);
     for (const float wrong : {-1.0F, 65.0F, NaN, Infinity})
-        EXPECT_NE(refusal([&] { setup.setFilterRadius(wrong); }).find("texels"), std::string::npos);
+        EXPECT_NE(refusal([&] { setup.setFilterRadius(wrong); }).find("filter_radius"),
+                  std::string::npos);
     EXPECT_EQ(setup.getFilterRadius(), 3.0F);
 }
 
@@ -54,7 +47,7 @@ TEST(Options, DepthBias) {
     setup.setDepthBias(0.25F);
     EXPECT_EQ(setup.getDepthBias(), 0.25F);
     for (const float wrong : {-0.1F, NaN, Infinity})
-        EXPECT_NE(refusal([&] { setup.setDepthBias(wrong); }).find("worldUnits"),
+        EXPECT_NE(refusal([&] { setup.setDepthBias(wrong); }).find("depth_bias"),
                   std::string::npos);
 }
 
@@ -80,77 +73,124 @@ TEST(Options, VisiblePoints) {
     EXPECT_EQ(setup.getVisiblePoints().size(), 1U);
 }
 
-TEST(Options, Xpsm) {
-    XPSMShadowCameraSetup setup;
-    setup.setStrength(0);
-    setup.setEpsilonW(1);
-    setup.setGuarded(false);
-    EXPECT_EQ(setup.getStrength(), 0.0F);
-    EXPECT_EQ(setup.getEpsilonW(), 1.0F);
-    EXPECT_FALSE(setup.getGuarded());
-    for (const float wrong : {-1.0F, NaN, Infinity})
-        EXPECT_NE(refusal([&] { setup.setStrength(wrong); }).find("strength"), std::string::npos);
-    for (const float wrong : {-1.0F, 0.0F, 1.5F, NaN})
-        EXPECT_NE(refusal([&] { setup.setEpsilonW(wrong); }).find("epsilonW"), std::string::npos);
-}
-
-TEST(Options, Optimal) {
-    OptimalShadowCameraSetup setup;
-    setup.setSamples(1);
-    setup.setEvaluations(4096);
-    EXPECT_EQ(setup.getSamples(), 1);
-    EXPECT_EQ(setup.getEvaluations(), 4096);
-    for (const int wrong : {-1, 0, 4097})
-        EXPECT_NE(refusal([&] { setup.setSamples(wrong); }).find("samples"), std::string::npos);
-    for (const int wrong : {-1, 0, 7, 4097})
-        EXPECT_NE(refusal([&] { setup.setEvaluations(wrong); }).find("evaluations"),
-                  std::string::npos);
-}
-
-TEST(Options, LiSPSM) {
-    LiSPSMShadowCameraSetup setup;
-    EXPECT_EQ(setup.getDistanceFactor(), 1.0F);
-    setup.setDistanceFactor(0.5F);
-    EXPECT_EQ(setup.getDistanceFactor(), 0.5F);
-    for (const float wrong : {-1.0F, 0.0F, NaN, Infinity})
-        EXPECT_NE(refusal([&] { setup.setDistanceFactor(wrong); }).find("factor"),
-                  std::string::npos);
-    EXPECT_EQ(setup.getDistanceFactor(), 0.5F);
-}
-
-TEST(Options, Trapezoidal) {
-    TrapezoidalShadowCameraSetup setup;
-    EXPECT_EQ(setup.getFocusDistance(), 0.25F);
-    EXPECT_EQ(setup.getFocusShare(), 0.8F);
-    setup.setFocusDistance(0.1F);
-    setup.setFocusShare(0.5F);
-    EXPECT_EQ(setup.getFocusDistance(), 0.1F);
-    EXPECT_EQ(setup.getFocusShare(), 0.5F);
-    for (const float wrong : {-1.0F, 0.0F, 1.0F, NaN, Infinity}) {
-        EXPECT_NE(refusal([&] { setup.setFocusDistance(wrong); }).find("fraction"),
-                  std::string::npos);
-        EXPECT_NE(refusal([&] { setup.setFocusShare(wrong); }).find("share"), std::string::npos);
+/// A value that is none of an option's.
+std::vector<std::string> wrongValues(const Option& option) {
+    std::vector<std::string> wrong{"", "many", "1 2 3 4 5 x", "nan"};
+    if (option.type == OptionType::Count || option.type == OptionType::Number) {
+        const OptionRange& range = option.range;
+        for (const double value : {range.least - 1.0, range.greatest + 1.0})
+            wrong.push_back(std::to_string(value));
+        if (range.isLeastOpen) wrong.push_back(std::to_string(range.least));
+        if (range.isGreatestOpen) wrong.push_back(std::to_string(range.greatest));
+        wrong.emplace_back("1 2");
     }
+    if (option.type == OptionType::Count) wrong.emplace_back("64.5");
+    if (option.type == OptionType::Plane) wrong.insert(wrong.end(), {"0 0 0 1", "0 1 0"});
+    if (option.type == OptionType::Ascending)
+        wrong.insert(wrong.end(), {"0", "-1 2", "5 3", "2 2", "1 inf"});
+    // No numbers at all are right where any number of them is.
+    if (option.type == OptionType::Ascending) wrong.erase(wrong.begin());
+    return wrong;
 }
 
-TEST(Options, Psm) {
-    PSMShadowCameraSetup setup;
-    EXPECT_EQ(setup.getSlideBack(), 0.25F);
-    setup.setSlideBack(0);
-    EXPECT_EQ(setup.getSlideBack(), 0.0F);
-    for (const float wrong : {-1.0F, NaN, Infinity})
-        EXPECT_NE(refusal([&] { setup.setSlideBack(wrong); }).find("slideBack"), std::string::npos);
+/// Another right value than the default.
+std::string otherValue(const Option& option, const std::string& value) {
+    switch (option.type) {
+    case OptionType::Flag:
+        return value == "true" ? "false" : "true";
+    case OptionType::Count:
+        return std::to_string(std::stoi(value) + 1);
+    case OptionType::Number:
+        return option.range.contains(std::stod(value) + 0.125)
+                   ? std::to_string(std::stod(value) + 0.125)
+                   : "0.5";
+    case OptionType::Plane:
+        return "0 0 2 -1.5";
+    case OptionType::Ascending:
+        return "1 2.5 40";
+    }
+    return {};
+}
+
+/// Each kind of setup, by name and as what it is.
+class EveryKind : public testing::TestWithParam<SetupKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Options, EveryKind,
+                         testing::ValuesIn(setupKinds().begin(), setupKinds().end()),
+                         [](const auto& kind) { return std::string(kind.param.name); });
+
+TEST_P(EveryKind, TakesAllOfItsOptionsAsText) {
+    const auto setup = GetParam().create();
+    std::vector<Option> options(GetParam().options.begin(), GetParam().options.end());
+    for (const Option& option : CommonOptions::declared())
+        options.push_back(option);
+    ASSERT_EQ(setup->getParameters().size(), options.size());
+    for (const Option& option : options) {
+        const std::string keyword(option.keyword);
+        const std::string before = setup->getParameter(keyword);
+        EXPECT_TRUE(setup->setParameter(keyword, before)) << keyword;
+        const std::string other = otherValue(option, before);
+        EXPECT_TRUE(setup->setParameter(keyword, other));
+        const std::string after = setup->getParameter(keyword);
+        EXPECT_NE(after, before) << keyword;
+        for (const std::string& wrong : wrongValues(option)) {
+            const std::string said = refusal([&] { setup->setParameter(keyword, wrong); });
+            EXPECT_EQ(said.find(keyword + ": '" + wrong + "' is not "), 0U) << said;
+            EXPECT_NE(said.find(describeValues(option)), std::string::npos) << said;
+            EXPECT_EQ(setup->getParameter(keyword), after);
+        }
+    }
+    EXPECT_FALSE(setup->setParameter("no_such_option", "1"));
+}
+
+TEST_P(EveryKind, IsFoundByItsName) {
+    EXPECT_EQ(findSetupKind(GetParam().name)->title, GetParam().title);
+    EXPECT_EQ(findSetupKind("Nobody"), nullptr);
+    EXPECT_FALSE(GetParam().paper.empty());
+}
+
+TEST(Options, AreTyped) {
+    const auto setup = XPSMShadowCameraSetup::create({.strength = 0.5});
+    EXPECT_EQ(setup->getOptions().strength, 0.5);
+    EXPECT_EQ(setup->getOptions().epsilonW, 0.7);
+    EXPECT_EQ(setup->getParameter("strength"), "0.5");
+    setup->setParameter("epsilon_w", "1");
+    EXPECT_EQ(setup->getOptions().epsilonW, 1.0);
+    setup->setOptions({.guarded = false});
+    EXPECT_EQ(setup->getParameter("strength"), "2");
+    EXPECT_EQ(setup->getParameter("guarded"), "false");
+}
+
+TEST(Options, AreCheckedAsAWhole) {
+    const auto setup = XPSMShadowCameraSetup::create({.strength = 0.5});
+    for (const double wrong : {0.0, -1.0, 1.5, std::numeric_limits<double>::quiet_NaN()})
+        EXPECT_NE(refusal([&] {
+                      setup->setOptions({.strength = 1.0, .epsilonW = wrong});
+                  }).find("epsilon_w"),
+                  std::string::npos);
+    EXPECT_EQ(setup->getOptions().strength, 0.5);
+    EXPECT_NE(refusal([] {
+                  OptimalShadowCameraSetup::create({.evaluations = 7});
+              }).find("evaluations: '7' is not a whole number, at least 8 and at most 4096"),
+              std::string::npos);
+}
+
+/// An instance of OGRE's is one of ours, whoever made it.
+TEST(Options, SetupsByNameAreOfTheirClass) {
+    EXPECT_NE(std::dynamic_pointer_cast<XPSMShadowCameraSetup>(findSetupKind("XPSM")->create()),
+              nullptr);
+    EXPECT_NE(std::dynamic_pointer_cast<PlaneOptimalShadowCameraSetup>(
+                  findSetupKind("PlaneOptimal")->create()),
+              nullptr);
 }
 
 TEST(Options, PlaneOptimal) {
     PlaneOptimalShadowCameraSetup setup;
-    EXPECT_FALSE(setup.getExact());
-    setup.setExact(true);
-    EXPECT_TRUE(setup.getExact());
     EXPECT_EQ(setup.getPlane(), Ogre::Plane(Ogre::Vector3::UNIT_Y, 0));
-    const Ogre::Plane table(Ogre::Vector3::UNIT_Z, 3);
+    const Ogre::Plane table(Ogre::Vector3::UNIT_Z, 3); // z = 3
     setup.setPlane(table);
     EXPECT_EQ(setup.getPlane(), table);
+    EXPECT_EQ(setup.getParameter("plane"), "0 0 1 -3");
     for (const Ogre::Vector3& wrong :
          {Ogre::Vector3::ZERO, Ogre::Vector3(NaN, 0, 0), Ogre::Vector3(Infinity, 0, 0)}) {
         Ogre::Plane plane = table;
@@ -160,30 +200,12 @@ TEST(Options, PlaneOptimal) {
     Ogre::Plane endless = table;
     endless.d = Infinity;
     EXPECT_NE(refusal([&] { setup.setPlane(endless); }).find("plane"), std::string::npos);
-    EXPECT_NE(refusal([&] {
-                  setup.setPlane(static_cast<const Ogre::MovablePlane*>(nullptr));
-              }).find("plane"),
-              std::string::npos);
     EXPECT_EQ(setup.getPlane(), table);
     const Ogre::MovablePlane floor(Ogre::Vector3::UNIT_X, 2);
-    setup.setPlane(&floor);
+    setup.setMovablePlane(&floor);
     EXPECT_EQ(setup.getPlane(), static_cast<const Ogre::Plane&>(floor));
-}
-
-TEST(Options, Stable) {
-    UniformShadowCameraSetup setup;
-    EXPECT_FALSE(setup.getStable());
-    setup.setStable(true);
-    EXPECT_TRUE(setup.getStable());
-}
-
-TEST(Options, PostProjectiveCube) {
-    PostProjectiveCubeShadowCameraSetup setup;
-    EXPECT_EQ(setup.getSlideBack(), 0.25F);
-    setup.setSlideBack(1);
-    EXPECT_EQ(setup.getSlideBack(), 1.0F);
-    for (const float wrong : {-1.0F, NaN, Infinity})
-        EXPECT_NE(refusal([&] { setup.setSlideBack(wrong); }).find("slideBack"), std::string::npos);
+    setup.setMovablePlane(nullptr);
+    EXPECT_EQ(setup.getPlane(), table);
 }
 
 /// OGRE's has the ends of all slices in it, and its near plane first.
@@ -221,29 +243,15 @@ TEST(Options, CascadesTakeAllSplitPointsOfOgresPssm) {
 
 TEST(Options, Cascades) {
     CascadesShadowCameraSetup setup(UniformShadowCameraSetup::create());
-    EXPECT_EQ(setup.getUniformity(), 0.0F);
-    EXPECT_TRUE(setup.getFollowReceivers());
-    EXPECT_TRUE(setup.getSplitDepths().empty());
-    setup.setUniformity(0.5F);
-    setup.setFollowReceivers(false);
+    setup.setOptions({.uniformity = 0.5, .followReceivers = false});
     setup.setSplitDepths({3, 20});
-    EXPECT_EQ(setup.getSplitPadding(), 0.0F);
-    setup.setSplitPadding(2);
-    EXPECT_EQ(setup.getSplitPadding(), 2.0F);
-    for (const float wrong : {-1.0F, NaN, Infinity})
-        EXPECT_NE(refusal([&] { setup.setSplitPadding(wrong); }).find("worldUnits"),
-                  std::string::npos);
-    EXPECT_EQ(setup.getSplitPadding(), 2.0F);
-    EXPECT_EQ(setup.getUniformity(), 0.5F);
-    EXPECT_FALSE(setup.getFollowReceivers());
-    EXPECT_EQ(setup.getSplitDepths(), std::vector<Ogre::Real>({3, 20}));
-    for (const float wrong : {-0.1F, 1.1F, NaN})
-        EXPECT_NE(refusal([&] { setup.setUniformity(wrong); }).find("uniformity"),
-                  std::string::npos);
+    EXPECT_EQ(setup.getOptions().vsSplitDepths, std::vector({3.0, 20.0}));
+    EXPECT_EQ(setup.getOptions().uniformity, 0.5);
     for (const std::vector<Ogre::Real>& wrong :
          std::vector<std::vector<Ogre::Real>>{{0}, {-1, 2}, {5, 3}, {2, 2}, {NaN}, {1, Infinity}})
-        EXPECT_NE(refusal([&] { setup.setSplitDepths(wrong); }).find("depths"), std::string::npos);
-    EXPECT_EQ(setup.getSplitDepths(), std::vector<Ogre::Real>({3, 20}));
+        EXPECT_NE(refusal([&] { setup.setSplitDepths(wrong); }).find("split_depths"),
+                  std::string::npos);
+    EXPECT_EQ(setup.getOptions().vsSplitDepths, std::vector({3.0, 20.0}));
     for (const Ogre::ShadowCameraSetupPtr& wrong :
          {Ogre::ShadowCameraSetupPtr(), Ogre::DefaultShadowCameraSetup::create(),
           Ogre::ShadowCameraSetupPtr(CascadesShadowCameraSetup::create())})

@@ -3,8 +3,7 @@
 #include "TestStage.h"
 
 #include <Lixel/scene/OgreVersions.h>
-#include <Lixel/setup/OptimalShadowCameraSetup.h>
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 namespace Lixel::Tests {
 namespace {

@@ -2,16 +2,7 @@
 
 #include "Random.h"
 
-#include <Lixel/setup/CascadesShadowCameraSetup.h>
-#include <Lixel/setup/LiSPSMShadowCameraSetup.h>
-#include <Lixel/setup/ObservedShadowCameraSetup.h>
-#include <Lixel/setup/OptimalShadowCameraSetup.h>
-#include <Lixel/setup/PSMShadowCameraSetup.h>
-#include <Lixel/setup/PlaneOptimalShadowCameraSetup.h>
-#include <Lixel/setup/PostProjectiveCubeShadowCameraSetup.h>
-#include <Lixel/setup/TrapezoidalShadowCameraSetup.h>
-#include <Lixel/setup/UniformShadowCameraSetup.h>
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <OgreShadowCameraSetupFocused.h>
 #include <OgreShadowCameraSetupLiSPSM.h>
@@ -47,8 +38,7 @@ Ogre::ShadowCameraSetupPtr makeCascades(Random& random) {
         technique = XPSMShadowCameraSetup::create();
         break;
     case 2:
-        technique = UniformShadowCameraSetup::create();
-        as<UniformShadowCameraSetup>(*technique).setStable(true);
+        technique = UniformShadowCameraSetup::create({.stable = true});
         break;
     default:
         technique = LiSPSMShadowCameraSetup::create();
@@ -73,32 +63,33 @@ void turnCommon(FittedShadowCameraSetup& setup, Random& random) {
 const std::array<Kind, 12> Kinds{{
     {"Uniform", plain<UniformShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<UniformShadowCameraSetup>(setup).setStable(random.oneIn(3));
+         as<UniformShadowCameraSetup>(setup).setOptions({.stable = random.oneIn(3)});
      }},
     {"XPSM", plain<XPSMShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         auto& xpsm = as<XPSMShadowCameraSetup>(setup);
-         xpsm.setStrength(random.of({0.0F, 1.0F, 2.0F, 10.0F}));
-         xpsm.setEpsilonW(random.of({0.1F, 0.7F, 1.0F}));
-         xpsm.setGuarded(!random.oneIn(3));
+         as<XPSMShadowCameraSetup>(setup).setOptions({.strength = random.of({0.0, 1.0, 2.0, 10.0}),
+                                                      .epsilonW = random.of({0.1, 0.7, 1.0}),
+                                                      .guarded = !random.oneIn(3)});
      }},
     {"Optimal", plain<OptimalShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<OptimalShadowCameraSetup>(setup).setSamples(random.of({1, 64, 64, 300}));
-         as<OptimalShadowCameraSetup>(setup).setEvaluations(random.of({8, 32, 100}));
+         as<OptimalShadowCameraSetup>(setup).setOptions(
+             {.samples = random.of({1, 64, 64, 300}), .evaluations = random.of({8, 32, 100})});
      }},
     {"LiSPSM", plain<LiSPSMShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<LiSPSMShadowCameraSetup>(setup).setDistanceFactor(random.of({0.1F, 1.0F, 20.0F}));
+         as<LiSPSMShadowCameraSetup>(setup).setOptions(
+             {.distanceFactor = random.of({0.1, 1.0, 20.0})});
      }},
     {"Trapezoidal", plain<TrapezoidalShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<TrapezoidalShadowCameraSetup>(setup).setFocusDistance(random.between(0.05F, 0.9F));
-         as<TrapezoidalShadowCameraSetup>(setup).setFocusShare(random.between(0.1F, 0.9F));
+         as<TrapezoidalShadowCameraSetup>(setup).setOptions(
+             {.focusDistance = static_cast<double>(random.between(0.05F, 0.9F)),
+              .focusShare = static_cast<double>(random.between(0.1F, 0.9F))});
      }},
     {"PSM", plain<PSMShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<PSMShadowCameraSetup>(setup).setSlideBack(random.of({0.0F, 0.25F, 5.0F}));
+         as<PSMShadowCameraSetup>(setup).setOptions({.slideBack = random.of({0.0, 0.25, 5.0})});
      }},
     {"PlaneOptimal", plain<PlaneOptimalShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
@@ -109,20 +100,19 @@ const std::array<Kind, 12> Kinds{{
      }},
     {"Cascades", makeCascades,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         auto& cascades = as<CascadesShadowCameraSetup>(setup);
-         cascades.setUniformity(random.of({0.0F, 0.5F, 1.0F}));
-         cascades.setFollowReceivers(!random.oneIn(3));
-         cascades.setSplitDepths(random.oneIn(4) ? std::vector<Ogre::Real>{3, 9, 30}
-                                                 : std::vector<Ogre::Real>{});
+         const auto depths = random.oneIn(4) ? std::vector{3.0, 9.0, 30.0} : std::vector<double>();
+         as<CascadesShadowCameraSetup>(setup).setOptions({.uniformity = random.of({0.0, 0.5, 1.0}),
+                                                          .followReceivers = !random.oneIn(3),
+                                                          .vsSplitDepths = depths});
      }},
     {"PostProjectiveCube", plain<PostProjectiveCubeShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<PostProjectiveCubeShadowCameraSetup>(setup).setSlideBack(
-             random.of({0.0F, 0.25F, 5.0F}));
+         as<PostProjectiveCubeShadowCameraSetup>(setup).setOptions(
+             {.slideBack = random.of({0.0, 0.25, 5.0})});
      }},
     {"PlaneOptimalExact", plain<PlaneOptimalShadowCameraSetup>,
      [](Ogre::ShadowCameraSetup& setup, Random&) {
-         as<PlaneOptimalShadowCameraSetup>(setup).setExact(true);
+         as<PlaneOptimalShadowCameraSetup>(setup).setOptions({.exact = true});
      }},
     {"ObservedLiSPSM",
      [](Random&) -> Ogre::ShadowCameraSetupPtr {

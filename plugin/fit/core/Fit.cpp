@@ -2,20 +2,14 @@
 
 #include "fit/core/FixedMap.h"
 #include "fit/core/MapPlacement.h"
+#include "fit/core/Validity.h"
 #include "fit/core/Warp.h"
 #include "fit/problem/ShadowPart.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
-#include <numbers>
 
 namespace Lixel {
 namespace {
-
-/// Depth from which on a local light's receivers keep their margin against rounding, relative to
-/// the farthest's.
-constexpr double NearestExactDepth = 1.0 / 64.0;
 
 /// Halvings of the interval that holds the part of a warp which rounding leaves: what is left of it
 /// changes the least of denominators, which is at least 2^-13, by less than a thousandth.
@@ -24,30 +18,90 @@ constexpr int PullSteps = 24;
 /// Least depth range, as a fraction of the focus region's size: the light along a flat receiver.
 constexpr double LeastDepthRange = 1e-3;
 
-bool finite(const Mat4& m) {
-    return m.allFinite();
+/// A warp and the map that is made of it.
+struct Placement {
+    Vec2 liWarp;
+    Affine affine;
+    /// The warp's least denominator on the focus region.
+    double leastDenominator = 1.0;
+    FitReason reason = FitReason::None;
+    /// Whether the rule gave the map whole.
+    bool given = false;
+};
+
+/// Distances along the light's axis, and the row z that maps them to -1 and 1.
+struct DepthRow {
+    double lsNear;
+    double lsFar;
+    /// (coefficient of depth, constant).
+    Vec2 row;
+};
+
+ShadowFit withoutMap(FitReason reason) {
+    ShadowFit fit;
+    fit.reason = reason;
+    return fit;
 }
 
-/// Whether the matrix has an inverse, whatever unit its columns are in.
-bool invertible(const Mat4& m) {
-    const Eigen::RowVector4d norms = m.colwise().norm();
-    if (!(norms.minCoeff() > 0.0)) return false;
-    constexpr double Singular = 1e-12; // some thousand roundings of a determinant of unit columns
-    return std::abs((m.array().rowwise() / norms.array()).matrix().determinant()) > Singular;
+/// The rule's choice. Where it is a whole map, the region is cut to what that serves.
+WarpChoice choose(const WarpContext& context, const WarpRule& rule, FitState& state) {
+    WarpChoice choice = rule(context, {state.memory, state.rule});
+    if (!choice.liWarp.allFinite()) choice = {Vec2::Zero(), FitReason::WarpClamped};
+    if (!choice.homography) return choice;
+    const Served served = cutToMap(*choice.homography, state.region, state.placement);
+    if (served != Served::Everything) choice.reason = FitReason::PlaneCannotServe;
+    if (served == Served::Nothing) choice.homography.reset();
+    return choice;
 }
 
-/// Whether the view matrix is a rigid motion, or one with a mirror: depths are measured with it.
-bool isRigid(const Mat4& viewFromWorld) {
-    // Far beyond what a float's quaternion drifts by until its owner normalises it.
-    constexpr double Distortion = 0.01;
-    const Mat3 rotation = viewFromWorld.topLeftCorner<3, 3>();
-    const Mat3 product = rotation * rotation.transpose();
-    return (product - Mat3::Identity()).cwiseAbs().maxCoeff() <= Distortion &&
-           viewFromWorld.row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
+/// The longest part of a warp around which a map can be placed without rounding that would show.
+Placement placeWarp(const WarpContext& context, const WarpChoice& choice, const RegionScale& scale,
+                    FitState& state) {
+    const FocusRegion& region = context.region;
+    Placement result{.liWarp = choice.liWarp, .affine = {}, .reason = choice.reason};
+    if (pullIntoSafeSet(region.liHull, region.liCentre, context.thickness, result.liWarp) < 1.0)
+        result.reason = FitReason::WarpClamped;
+    const auto place = [&](const Vec2& warp) {
+        Polygon2& warped = state.placement.warped;
+        result.leastDenominator = warpPolygon(region.liHull, region.liCentre, warp, warped);
+        result.affine = placeRegion(context.problem, context.image, warped, warp, scale.liReach,
+                                    state.memory.wsMapAxis);
+        return result.affine.rounding <= GreatestRounding;
+    };
+    if (place(result.liWarp)) return result;
+    const Vec2 whole = result.liWarp;
+    double kept = 0.0;
+    double lost = 1.0;
+    for (int i = 0; i < PullSteps; ++i) {
+        const double middle = (kept + lost) / 2.0;
+        (place(middle * whole) ? kept : lost) = middle;
+    }
+    result.liWarp = kept * whole;
+    result.reason = FitReason::WarpClamped;
+    place(result.liWarp);
+    return result;
 }
 
-/// Row z of clip space, as (coefficient of depth, constant), for depths along the light's axis, so
-/// that z / w stays within -1 and 1 wherever w / (depth or 1) >= leastDenominator.
+/// A map that the rule gave whole.
+Placement placeGiven(const WarpContext& context, const WarpChoice& choice, FitState& state) {
+    const FocusRegion& region = context.region;
+    Placement result{.liWarp = Vec2::Zero(), .affine = {}, .reason = choice.reason, .given = true};
+    result.affine =
+        affineOf(*choice.homography, region.liCentre, context.problem.filterRadius, result.liWarp);
+    result.leastDenominator =
+        warpPolygon(region.liHull, region.liCentre, result.liWarp, state.placement.warped);
+    return result;
+}
+
+/// Remembers the map's axes for the next frame.
+void remember(const Placement& placement, FitMemory& memory) {
+    if (placement.given) return;
+    memory.wsMapAxis = placement.affine.wsMapAxis;
+    if (placement.affine.turned) ++memory.orientationJumps;
+}
+
+/// Row z for depths along the light's axis, so that z / w stays within -1 and 1 wherever
+/// w / (depth or 1) >= leastDenominator.
 Vec2 depthRow(bool directional, double lsNear, double lsFar, double leastDenominator) {
     const double range = lsFar - lsNear;
     // Directional: linear. Local: the perspective one, affine in 1 / depth after the division.
@@ -56,145 +110,42 @@ Vec2 depthRow(bool directional, double lsNear, double lsFar, double leastDenomin
     return row * leastDenominator;
 }
 
-} // namespace
-
-InvalidInput invalidInputOf(const ShadowProblem& problem) {
-    const ShadowLight& light = problem.light;
-    const ShadowViewer& viewer = problem.viewer;
-    if (problem.casters == nullptr || problem.receivers == nullptr) return InvalidInput::Bodies;
-    if (problem.mapWidth < 1 || problem.mapHeight < 1 || !(problem.filterRadius >= 0.0))
-        return InvalidInput::Map;
-    if (2.0 * (leastBorder(problem.filterRadius) + GreatestBorderRounding) >=
-        std::min(problem.mapWidth, problem.mapHeight))
-        return InvalidInput::Map;
-    if (!(viewer.shadowDistance >= 0.0)) return InvalidInput::ShadowDistance;
-    if (!light.wsDirection.allFinite() || light.wsDirection.isZero(0.0))
-        return InvalidInput::LightDirection;
-    if (light.kind != LightKind::Directional) {
-        if (!light.wsPosition.allFinite() ||
-            light.wsPosition.cwiseAbs().maxCoeff() > GreatestExtent)
-            return InvalidInput::LightPosition;
-        if (!(light.nearDistance > 0.0) || !(light.nearDistance <= GreatestExtent))
-            return InvalidInput::NearDistance;
-        if (!(light.range > light.nearDistance)) return InvalidInput::Range;
-        if (!(light.outerHalfAngle > 0.0) || !(light.outerHalfAngle < std::numbers::pi))
-            return InvalidInput::Angle;
-    }
-    if (problem.casters->invalid() != 0) return InvalidInput::CasterBox;
-    if (problem.receivers->invalid() != 0) return InvalidInput::ReceiverBox;
-    if (!finite(viewer.viewFromWorld) || !finite(viewer.clipFromView)) return InvalidInput::View;
-    if (!isRigid(viewer.viewFromWorld) || !invertible(viewer.clipFromView))
-        return InvalidInput::View;
-    return InvalidInput::None;
-}
-
-ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
-                      const WarpRule& rule) noexcept {
-    ShadowFit fit;
-    const auto stop = [&](FitReason reason) {
-        fit.reason = reason;
-        return fit;
-    };
-    if (!isValid(problem)) return stop(FitReason::InvalidInput);
-    if (needsParts(problem.light)) return stop(FitReason::TooFewMaps);
-
-    const LightImage image(problem.light);
-    FocusRegion& region = state.region;
-    findFocusRegion(problem, image, state.scratch, region);
-    if (!hasMap(region.reason)) return stop(region.reason);
-
-    // The warp, and its safety.
-    const Mat4 worldFromView = problem.viewer.viewFromWorld.inverse();
-    const WarpContext context{
-        .problem = problem,
-        .image = image,
-        .region = region,
-        .state = state,
-        .viewer = image.oriented(image.lsFromPoint(worldFromView.topRightCorner<3, 1>())),
-        .viewDirection = image.orientedDirection(
-            image.lsFromDirection(-worldFromView.block<3, 1>(0, 2).stableNormalized())),
-        .perspective = problem.viewer.clipFromView.row(3).head<3>().norm() >
-                       1e-9 * std::abs(problem.viewer.clipFromView(3, 3)),
-    };
-    WarpChoice choice = rule(context);
-    if (!choice.liWarp.allFinite()) choice = {Vec2::Zero(), FitReason::WarpClamped};
-    if (choice.homography) {
-        const Served served = cutToMap(*choice.homography, region, state.scratch);
-        if (served != Served::Everything) choice.reason = FitReason::PlaneCannotServe;
-        if (served == Served::Nothing) choice.homography.reset();
-    }
-    const bool given = choice.homography.has_value();
-    Affine affine{};
-    if (given)
-        affine = affineOf(*choice.homography, region.liCentre, problem.filterRadius, choice.liWarp);
-    // How far from the origin, or from a local light, receivers are; anything but 0 where they are
-    // a point at the origin.
-    const bool directional = image.directional();
-    double wsReach = std::max({std::abs(region.lsReceiverNear), std::abs(region.lsReceiverFar),
-                               directional ? region.liCentre.norm() : image.wsEye().norm()});
-    if (!(wsReach > 0.0)) wsReach = 1.0;
-    // Receivers in the first part of a spot's depth are few: rounding there must not cost the map.
-    const double nearDepth =
-        std::max(region.lsReceiverNear, region.lsReceiverFar * NearestExactDepth);
-    const double liReach = directional ? wsReach : wsReach / nearDepth;
-    const double size =
-        (support(region.liHull, Vec2::UnitX()) + support(region.liHull, -Vec2::UnitX())) +
-        (support(region.liHull, Vec2::UnitY()) + support(region.liHull, -Vec2::UnitY()));
-    // A texel; or what is one to rounding, where the region is smaller than that.
-    const double thickness =
-        std::max(size / std::max(problem.mapWidth, problem.mapHeight), LeastTexel * liReach);
-    if (!given && pullIntoSafeSet(region.liHull, region.liCentre, thickness, choice.liWarp) < 1.0)
-        choice.reason = FitReason::WarpClamped;
-
-    // The affine fit around the warped region.
-    double leastDenominator = 1.0;
-    const auto placeWarped = [&](const Vec2& warp) {
-        leastDenominator = warpPolygon(region.liHull, region.liCentre, warp, state.warped);
-        if (!given) affine = placeRegion(problem, image, state.warped, warp, liReach, state);
-        return affine.rounding <= GreatestRounding;
-    };
-    if (!placeWarped(choice.liWarp)) {
-        const Vec2 whole = choice.liWarp;
-        double kept = 0.0;
-        double lost = 1.0;
-        for (int i = 0; i < PullSteps; ++i) {
-            const double middle = (kept + lost) / 2.0;
-            (placeWarped(middle * whole) ? kept : lost) = middle;
-        }
-        choice = {kept * whole, FitReason::WarpClamped};
-        placeWarped(choice.liWarp);
-    }
-    if (!given) {
-        state.wsMapAxis = affine.wsMapAxis;
-        if (affine.turned) ++state.orientationJumps;
-    }
-    const Mat3 h = affine.mapFromWarped * warpMatrix(choice.liWarp, region.liCentre);
-
-    // Depth: what receives, and no more, where casters before it are clamped onto its near end.
+/// The depths that receive, and no more, where casters before them are clamped onto the near end.
+DepthRow depthOf(const WarpContext& context, const RegionScale& scale, double leastDenominator) {
+    const FocusRegion& region = context.region;
+    const ShadowProblem& problem = context.problem;
+    const bool directional = context.image.directional();
     double lsNear = region.lsReceiverNear;
     double lsFar = region.lsReceiverFar;
     if (!problem.depthClamp) lsNear = std::min(lsNear, region.lsCasterNear);
-    const double reach = image.directional() ? size : size * lsFar;
+    const double size = directional ? scale.liSize : scale.liSize * lsFar;
     const double slack =
-        std::max(LeastDepthRange * (reach + (lsFar - lsNear)), LeastTexel * wsReach);
+        std::max(LeastDepthRange * (size + (lsFar - lsNear)), LeastTexel * scale.wsReach);
     lsNear -= slack;
     lsFar += slack;
-    if (!image.directional()) lsNear = std::max(lsNear, 0.5 * problem.light.nearDistance);
-    const Vec2 depth = depthRow(image.directional(), lsNear, lsFar, leastDenominator);
+    if (!directional) lsNear = std::max(lsNear, 0.5 * problem.light.nearDistance);
+    return {lsNear, lsFar, depthRow(directional, lsNear, lsFar, leastDenominator)};
+}
 
+/// Clip space from light space, of a homography of ℓ and a row z.
+Mat4 clipFromLight(bool directional, const Mat3& homography, const Vec2& depth) {
     // ℓ = (x, y, 1) or (x, y, -z), and depth = -z, in light space.
-    const int third = image.directional() ? 3 : 2;
-    const double toThird = image.directional() ? 1.0 : -1.0;
+    const int third = directional ? 3 : 2;
+    const double toThird = directional ? 1.0 : -1.0;
     Mat4 clip = Mat4::Zero();
     for (int row = 0; row < 3; ++row) {
         const int target = row == 2 ? 3 : row;
-        clip(target, 0) = h(row, 0);
-        clip(target, 1) = h(row, 1);
-        clip(target, third) = toThird * h(row, 2);
+        clip(target, 0) = homography(row, 0);
+        clip(target, 1) = homography(row, 1);
+        clip(target, third) = toThird * homography(row, 2);
     }
     clip(2, 2) = -depth.x();
     clip(2, 3) = depth.y();
+    return clip;
+}
 
+/// Where the light camera stands, and the matrices to its clip space.
+void setMatrices(const LightImage& image, const Mat4& clip, ShadowFit& fit) {
     fit.directional = image.directional();
     fit.wsEye = image.wsEye();
     fit.lsFromWs = image.lsFromWs();
@@ -203,37 +154,90 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
     lightFromWorld.topLeftCorner<3, 3>() = fit.lsFromWs;
     lightFromWorld.topRightCorner<3, 1>() = -fit.lsFromWs * fit.wsEye;
     fit.clipFromWorld = clip * lightFromWorld;
-    fit.lsNear = lsNear;
-    fit.lsFar = lsFar;
-    const double zNear = depth.x() * lsNear + depth.y();
-    const double zFar = depth.x() * lsFar + depth.y();
+}
+
+void setDepth(const DepthRow& depth, ShadowFit& fit) {
+    fit.lsNear = depth.lsNear;
+    fit.lsFar = depth.lsFar;
+    const double zNear = depth.row.x() * depth.lsNear + depth.row.y();
+    const double zFar = depth.row.x() * depth.lsFar + depth.row.y();
     fit.depthScale = 1.0 / (zFar - zNear);
     fit.depthOffset = -zNear * fit.depthScale;
-    fit.depthPerWorldUnit = 1.0 / (lsFar - lsNear);
-    fit.liCentre = region.liCentre;
-    fit.liWarp = choice.liWarp;
-    fit.mapAngle = affine.mapAngle;
-    Polygon2& focus = state.scratch.polygon;
-    growByBorder(affine, Vec2(problem.mapWidth, problem.mapHeight), choice.liWarp, region.liCentre,
-                 state, focus);
+    fit.depthPerWorldUnit = 1.0 / (depth.lsFar - depth.lsNear);
+}
+
+/// What a receiver's filter may reach. @return whether it could be told by so few vertices
+bool setFocus(const WarpContext& context, const Placement& placement, PlacementScratch& scratch,
+              ShadowFit& fit) {
+    const Vec2 size(context.problem.mapWidth, context.problem.mapHeight);
+    Polygon2& focus = scratch.grown;
+    growByBorder(placement.affine, size, placement.liWarp, context.region, scratch, focus);
     simplifyOutward(focus, FocusPolygon::Capacity);
-    if (focus.size() > FocusPolygon::Capacity) return stop(FitReason::InvalidInput);
+    if (focus.size() > FocusPolygon::Capacity) return false;
     fit.liFocus.count = focus.size();
     std::copy(focus.begin(), focus.end(), fit.liFocus.vertices.begin());
+    return true;
+}
 
-    if (given)
-        // Where -w <= x <= w and -w <= y <= w.
-        for (const int row : {0, 1})
-            for (const double sign : {1.0, -1.0}) {
-                const Vec4 side = fit.clipFromWorld.row(3) + sign * fit.clipFromWorld.row(row);
-                fit.wsServed[fit.servedCount++] = side / side.head<3>().norm();
-            }
+/// The four half spaces of a map that was given whole: where -w <= x <= w and -w <= y <= w.
+void setServed(ShadowFit& fit) {
+    for (const int row : {0, 1})
+        for (const double sign : {1.0, -1.0}) {
+            const Vec4 side = fit.clipFromWorld.row(3) + sign * fit.clipFromWorld.row(row);
+            fit.wsServed[fit.servedCount++] = side / side.head<3>().norm();
+        }
+}
 
-    if (!finite(fit.clipFromWorld) || !std::isfinite(fit.depthScale) ||
-        !std::isfinite(fit.depthOffset) || !std::isfinite(fit.depthPerWorldUnit))
-        return stop(FitReason::InvalidInput);
-    fit.reason = choice.reason != FitReason::None ? choice.reason : region.reason;
+ShadowFit assemble(const WarpContext& context, const Placement& placement, const DepthRow& depth,
+                   PlacementScratch& scratch) {
+    const FocusRegion& region = context.region;
+    ShadowFit fit;
+    fit.liCentre = region.liCentre;
+    fit.liWarp = placement.liWarp;
+    fit.mapAngle = placement.affine.mapAngle;
+    const Mat3 homography =
+        placement.affine.mapFromWarped * warpMatrix(placement.liWarp, region.liCentre);
+    setMatrices(context.image, clipFromLight(context.image.directional(), homography, depth.row),
+                fit);
+    setDepth(depth, fit);
+    const bool hasFocus = setFocus(context, placement, scratch, fit);
+    if (placement.given) setServed(fit);
+    const bool isFinite = fit.clipFromWorld.allFinite() && std::isfinite(fit.depthScale) &&
+                          std::isfinite(fit.depthOffset) && std::isfinite(fit.depthPerWorldUnit);
+    if (!hasFocus || !isFinite)
+        fit.reason = FitReason::InvalidInput;
+    else
+        fit.reason = placement.reason != FitReason::None ? placement.reason : region.reason;
     return fit;
+}
+
+} // namespace
+
+/*  1. Focus: the light rays that matter (Gusev 2007, §3.6).
+    2. Choose: the technique's rule picks a warp (Gusev 2007, eq. 2), or gives a whole map.
+    3. Make safe: the warp is pulled to where its denominator is positive (Warp.h), and further, to
+       where rounding of positions to float does not show.
+    4. Place: the smallest rectangle around the warped region becomes the map (Gusev 2007, §3.6).
+    5. Depth: one row, monotone along the light, for the receivers' range (Chong 2006, §3.2).
+    6. Assemble: matrices, what a filter may reach, and the reason. */
+ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
+                      const WarpRule& rule) noexcept {
+    if (!isValid(problem)) return withoutMap(FitReason::InvalidInput);
+    if (needsParts(problem.light)) return withoutMap(FitReason::TooFewMaps);
+
+    const LightImage image(problem.light);
+    const FocusRegion& region = state.region;
+    findFocusRegion(problem, image, state.focusing, state.region);
+    if (!hasMap(region.reason)) return withoutMap(region.reason);
+
+    const WarpContext context = warpContext(problem, image, region);
+    const WarpChoice choice = choose(context, rule, state);
+    const RegionScale scale = scaleOf(image, region);
+    const Placement placement = choice.homography ? placeGiven(context, choice, state)
+                                                  : placeWarp(context, choice, scale, state);
+    remember(placement, state.memory);
+    const DepthRow depth = depthOf(context, scale, placement.leastDenominator);
+    return assemble(context, placement, depth, state.placement);
 }
 
 } // namespace Lixel

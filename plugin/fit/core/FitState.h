@@ -20,22 +20,9 @@ struct SearchMemory {
     FrameFingerprint fingerprint;
 };
 
-/** What outlives a frame, per light, viewer and map: memory of the last choice and scratch space.
-
-    A fit from a fresh state is as valid as one from a used state; only the choice among equally
-    good maps may differ.
-*/
-struct FitState {
-    FocusScratch scratch;
-    FocusRegion region;
-    Polygon2 warped;
-    SampleScratch sampling;
-    std::vector<ViewSample> samples;
-    /// The focus region's hull with few vertices, for evaluating many warps.
-    Polygon2 simpleHull;
-    TexelExtent extent;
-    /// The focus region's rays in another space, for rules that look from there.
-    std::vector<Vec3> directions;
+/// What outlives a frame. A fit without it is as valid; only the choice among equally good maps may
+/// differ.
+struct FitMemory {
     /// The last map's x axis, as a direction in the world: light space itself may turn about the
     /// light from one frame to the next.
     std::optional<Vec3> wsMapAxis;
@@ -44,6 +31,38 @@ struct FitState {
     double stableRadius = 0.0;
     /// How often the direction was given up for a smaller map.
     std::size_t orientationJumps = 0;
+};
+
+/// Room for a rule's work. Nobody reads it after the rule.
+struct RuleScratch {
+    ClipScratch clip;
+    std::vector<Vec3> wsPoints;
+    std::vector<Vec3> directions;
+    /// The focus region's hull with few vertices, for evaluating many warps.
+    Polygon2 simpleHull;
+    SampleScratch sampling;
+    std::vector<ViewSample> samples;
+    TexelExtent extent;
+};
+
+/// Room for placing the map. Nobody reads it after that.
+struct PlacementScratch {
+    /// The focus region's hull after the warp.
+    Polygon2 warped;
+    std::vector<Vec2> points;
+    Polygon2 grown;
+};
+
+/** What is kept for each light, viewer and map: memory, the last fit's focus region, and scratch
+    space that saves allocations. */
+struct FitState {
+    FitMemory memory;
+    /// The last fit's.
+    FocusRegion region;
+
+    FocusScratch focusing;
+    RuleScratch rule;
+    PlacementScratch placement;
 };
 
 } // namespace Lixel

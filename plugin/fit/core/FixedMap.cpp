@@ -11,6 +11,9 @@ namespace {
 /// Rounding of a covector's value, relative to the greatest on the polygon.
 constexpr double OnTheEdge = 1e-12;
 
+/// Least size of one row of a map beside the others: a float's exponents end at 2^-126, 1e-38.
+constexpr double LeastRow = 1e-30;
+
 /// Cuts a convex polygon to covector . (q, 1) >= 0 (Sutherland and Hodgman).
 /// @return whether anything was cut off
 bool cut(const Polygon2& polygon, const Vec3& covector, Polygon2& result) {
@@ -36,12 +39,19 @@ bool cut(const Polygon2& polygon, const Vec3& covector, Polygon2& result) {
     return isCut;
 }
 
+/// Whether it is a map, and still one in float.
+bool isMap(const Mat3& homography) {
+    const Vec3 rows = homography.rowwise().norm();
+    return homography.allFinite() && homography.determinant() > 0.0 &&
+           rows.minCoeff() > LeastRow * rows.maxCoeff();
+}
+
 } // namespace
 
-Served cutToMap(const Mat3& homography, FocusRegion& region, FocusScratch& scratch) {
-    if (!homography.allFinite() || !(homography.determinant() > 0.0)) return Served::Nothing;
-    Polygon2& before = scratch.polygon;
-    Polygon2& after = scratch.caster;
+Served cutToMap(const Mat3& homography, FocusRegion& region, PlacementScratch& scratch) {
+    if (!isMap(homography)) return Served::Nothing;
+    Polygon2& before = scratch.grown;
+    Polygon2& after = scratch.warped;
     before = region.liHull;
     bool isCut = false;
     for (const int row : {0, 1})

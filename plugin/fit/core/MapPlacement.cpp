@@ -98,11 +98,11 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre) {
 }
 
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
-                   const Vec2& warp, double liReach, const FitState& state) {
+                   const Vec2& warp, double liReach, const std::optional<Vec3>& wsLastAxis) {
     Affine result{};
     const Vec2 size(problem.mapWidth, problem.mapHeight);
     OrientedRectangle rectangle = smallestRectangle(warped);
-    std::optional<OrientedRectangle> last = lastRectangle(warped, image, state.wsMapAxis);
+    std::optional<OrientedRectangle> last = lastRectangle(warped, image, wsLastAxis);
     // Where the two are one but for rounding, the one that a fresh state finds is taken; and a kept
     // axis stays as it is: nothing may creep while nothing moves.
     if (last && !(last->area() > rectangle.area() * (1.0 + SameArea))) last.reset();
@@ -122,7 +122,7 @@ Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const 
         if (!result.turned) {
             rectangle = *last;
             rounding = lastRounding;
-            result.wsMapAxis = state.wsMapAxis;
+            result.wsMapAxis = wsLastAxis;
         }
     }
     result.border = rounding.array() + leastBorder(problem.filterRadius);
@@ -149,20 +149,20 @@ Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius,
     return result;
 }
 
-void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, const Vec2& centre,
-                  FitState& state, Polygon2& grown) {
+void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp,
+                  const FocusRegion& region, PlacementScratch& scratch, Polygon2& grown) {
     // In the map, whose sides are 2, and back.
     const Mat3& map = affine.mapFromWarped;
     const Mat3 back = map.inverse();
-    std::vector<Vec2>& points = state.scratch.points;
+    std::vector<Vec2>& points = scratch.points;
     points.clear();
-    for (const Vec2& p : state.warped)
+    for (const Vec2& p : scratch.warped)
         points.push_back(map.topLeftCorner<2, 2>() * p + map.topRightCorner<2, 1>());
     sumWithRectangle(points, Vec2::UnitX(), 2.0 * affine.border.cwiseQuotient(size), grown);
     // 1 - w . p is one over the denominator. Where that stays well above 0, what is convex stays
     // so.
     double horizon = 1.0;
-    for (const Vec2& p : state.warped)
+    for (const Vec2& p : scratch.warped)
         horizon = std::min(horizon, 1.0 - warp.dot(p));
     const double least = 0.5 * horizon;
     bool beyondHorizon = false;
@@ -170,14 +170,13 @@ void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, cons
         p = back.topLeftCorner<2, 2>() * p + back.topRightCorner<2, 1>();
         const double unwarped = 1.0 - warp.dot(p);
         beyondHorizon = beyondHorizon || unwarped < least;
-        p = centre + p / std::max(unwarped, least);
+        p = region.liCentre + p / std::max(unwarped, least);
     }
     // A few texels beyond the far end it may reach the horizon; half the hull's own least value
     // keeps the polygon finite. A corner held back is not on its own ray any more, so that the hull
     // itself belongs to the result as it is.
     points.assign(grown.begin(), grown.end());
-    if (beyondHorizon)
-        points.insert(points.end(), state.region.liHull.begin(), state.region.liHull.end());
+    if (beyondHorizon) points.insert(points.end(), region.liHull.begin(), region.liHull.end());
     convexHull(points, grown);
 }
 

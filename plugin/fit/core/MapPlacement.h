@@ -45,16 +45,19 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre);
 
     @param warped the focus region's hull after the warp
     @param liReach the distance over which positions are measured, as a length in the light image
+    @param wsLastAxis the last map's x axis, as a direction in the world
 */
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
-                   const Vec2& warp, double liReach, const FitState& state);
+                   const Vec2& warp, double liReach, const std::optional<Vec3>& wsLastAxis);
 
 /// A map that is given whole, as the warp that its row w is and what is affine in it.
 Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp);
 
 /// The focus region and what a receiver's filter reaches beyond it, in the light image: the warped
 /// hull's sum with a rectangle of the map's border, unwarped.
-void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp, const Vec2& centre,
-                  FitState& state, Polygon2& grown);
+/// @param size of the map, in texels
+/// @param scratch `warped` is the warped hull; `points` is overwritten
+void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp,
+                  const FocusRegion& region, PlacementScratch& scratch, Polygon2& grown);
 
 } // namespace Lixel

@@ -11,7 +11,9 @@ namespace Lixel {
 
 void findFocusRegion(const ShadowProblem& problem, const LightImage& image, FocusScratch& scratch,
                      FocusRegion& region) {
-    region = FocusRegion{.reason = FitReason::None, .liHull = std::move(region.liHull)};
+    region = FocusRegion{.reason = FitReason::None,
+                         .liHull = std::move(region.liHull),
+                         .receiversInView = std::move(region.receiversInView)};
     region.liHull.clear();
     const auto stop = [&](FitReason reason) { region.reason = reason; };
 
@@ -21,7 +23,7 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
 
     // Visible receivers, clipped to what the viewer sees and the light reaches.
     const ConvexVolume lit = lightVolume(problem.light, image);
-    VisibleReceivers visible(problem, image, lit, scratch);
+    VisibleReceivers visible(problem, image, lit, scratch, region.receiversInView);
     visible.addAll(receivers);
     if (receivers.unbounded() > 0) {
         Box everything;
@@ -29,22 +31,22 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
         visible.addClipped(everything);
         region.reason = FitReason::UnboundedBody;
     }
-    if (scratch.receivers.hull().empty()) return stop(FitReason::NoReceivers);
+    if (visible.hull().hull().empty()) return stop(FitReason::NoReceivers);
     region.lsReceiverNear = visible.lsRange().x();
     region.lsReceiverFar = visible.lsRange().y();
     region.vsReceiverNear = visible.vsRange().x();
     region.vsReceiverFar = visible.vsRange().y();
 
     // Casters between the light and a visible receiver.
-    RelevantCasters covering(problem, image, lit, region.lsReceiverFar, scratch);
+    RelevantCasters covering(problem, image, lit, visible.hull(), region.lsReceiverFar, scratch);
     covering.addAll(casters);
     region.lsCasterNear = covering.lsNear();
     if (casters.unbounded() > 0) {
         region.reason = FitReason::UnboundedBody;
         region.lsCasterNear = std::min(region.lsCasterNear, region.lsReceiverNear);
-        region.liHull = scratch.receivers.hull();
+        region.liHull = visible.hull().hull();
     } else {
-        region.liHull = scratch.casters.hull();
+        region.liHull = covering.hull().hull();
     }
     if (region.liHull.empty()) return stop(FitReason::NothingShadowed);
     region.liCentre = steinerPoint(region.liHull);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/focus/FocusScratch.h"
+#include "fit/geometry/BoxSet.h"
 #include "fit/problem/ShadowFit.h"
 
 namespace Lixel {
@@ -26,9 +27,11 @@ struct FocusRegion {
     /// Depths in front of the viewer of the visible receivers.
     double vsReceiverNear = 0.0;
     double vsReceiverFar = 0.0;
+    /// The receivers that may reach into what is in view and lit.
+    BoxSet receiversInView;
 };
 
-/// Finds the focus region; everything in `region` is overwritten.
+/// Finds the focus region. @param[out] region overwritten; its memory is used again
 void findFocusRegion(const ShadowProblem& problem, const LightImage& image, FocusScratch& scratch,
                      FocusRegion& region);
 

@@ -6,14 +6,12 @@
 
 namespace Lixel {
 
-/// Scratch memory of focusing, kept between frames.
+/// Scratch memory of focusing, kept between frames: nobody else reads it.
 struct FocusScratch {
     ClipScratch clip;
-    /// The receivers that may reach into what is in view and lit, and the casters that may reach
-    /// into what covers them.
-    BoxSet receiversInView;
+    /// The casters that may reach into what covers visible receivers.
     BoxSet kept;
-    /// What is left of either after the first questions.
+    /// What is left of receivers or casters after the first questions.
     BoxSet nearly;
     /// Half spaces that boxes are asked about.
     std::vector<Plane> planes;

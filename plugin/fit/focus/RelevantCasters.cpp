@@ -7,23 +7,24 @@
 namespace Lixel {
 
 RelevantCasters::RelevantCasters(const ShadowProblem& problem, const LightImage& image,
-                                 const ConvexVolume& lit, double lsReceiverFar,
-                                 FocusScratch& scratch)
+                                 const ConvexVolume& lit, const ImageHull& receivers,
+                                 double lsReceiverFar, FocusScratch& scratch)
     : mProblem(problem),
       mImage(image),
       mLit(lit),
+      mReceivers(receivers),
       mScratch(scratch),
       mLsDepth(lsDepthOf(image)),
       mLsReceiverFar(lsReceiverFar),
-      mCoordinate(largestCoordinate(scratch.receivers.hull())) {
+      mCoordinate(largestCoordinate(receivers.hull())) {
     scratch.casters.reset(image);
     mRevision = scratch.casters.revision();
-    prepareEdges(scratch.receivers.hull(), 2.0 * clipSlack(mCoordinate), scratch.receiverEdges);
+    prepareEdges(receivers.hull(), 2.0 * clipSlack(mCoordinate), scratch.receiverEdges);
 }
 
 void RelevantCasters::addAll(const BoxSet& casters) {
     // What is beside all receivers or behind them. The first edges to ask are apart.
-    const std::span<const Plane> edges = mScratch.receivers.edges();
+    const std::span<const Plane> edges = mReceivers.edges();
     std::vector<Plane>& planes = mScratch.planes;
     planes.clear();
     const std::size_t step = (edges.size() + 2) / 3;
@@ -94,8 +95,8 @@ void RelevantCasters::add(const Box& box, std::size_t index) {
 }
 
 bool RelevantCasters::clipToReceivers(const Box& box) {
-    const Polygon2& outer = mScratch.receivers.hull();
-    const std::span<const Plane> edges = mScratch.receivers.edges();
+    const Polygon2& outer = mReceivers.hull();
+    const std::span<const Plane> edges = mReceivers.edges();
     std::vector<Vec2>& points = mScratch.points;
     Polygon2& caster = mScratch.caster;
     if (edges.empty()) {

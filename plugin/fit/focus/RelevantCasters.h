@@ -7,17 +7,19 @@
 
 namespace Lixel {
 
-/// Collects what casters cover of the visible receivers, whose hull is in the scratch memory, as
-/// this one's is then.
+/// Collects what casters cover of the visible receivers.
 class RelevantCasters {
 public:
     /// @param lit what the light reaches; must outlive this
+    /// @param receivers hull of the visible receivers; must outlive this
     /// @param lsReceiverFar distance of the farthest visible receiver along the light's axis
     RelevantCasters(const ShadowProblem& problem, const LightImage& image, const ConvexVolume& lit,
-                    double lsReceiverFar, FocusScratch& scratch);
+                    const ImageHull& receivers, double lsReceiverFar, FocusScratch& scratch);
 
     void addAll(const BoxSet& casters);
 
+    /// Hull of what was added, in the light image.
+    const ImageHull& hull() const { return mScratch.casters; }
     /// Distance along the light of the nearest that was added; infinite before.
     double lsNear() const { return mLsNear; }
 
@@ -37,6 +39,7 @@ private:
     const ShadowProblem& mProblem;
     const LightImage& mImage;
     const ConvexVolume& mLit;
+    const ImageHull& mReceivers;
     FocusScratch& mScratch;
     Gauge mLsDepth;
     double mLsReceiverFar;

@@ -17,10 +17,11 @@ void include(Vec2& range, double least, double greatest) {
 } // namespace
 
 VisibleReceivers::VisibleReceivers(const ShadowProblem& problem, const LightImage& image,
-                                   const ConvexVolume& lit, FocusScratch& scratch)
+                                   const ConvexVolume& lit, FocusScratch& scratch, BoxSet& inView)
     : mProblem(problem),
       mImage(image),
       mScratch(scratch),
+      mInView(inView),
       mLsDepth(lsDepthOf(image)),
       mVsDepth(-problem.viewer.viewFromWorld.row(2).head<3>().transpose(),
                -problem.viewer.viewFromWorld(2, 3)),
@@ -32,9 +33,9 @@ VisibleReceivers::VisibleReceivers(const ShadowProblem& problem, const LightImag
 }
 
 void VisibleReceivers::addAll(const BoxSet& receivers) {
-    keepReaching(receivers, mSeen.planes(), mScratch.nearly, mScratch.receiversInView);
+    keepReaching(receivers, mSeen.planes(), mScratch.nearly, mInView);
     addAllBut(
-        mScratch.receiversInView, [this](const BoxSet::Block& block) { return lanesWithin(block); },
+        mInView, [this](const BoxSet::Block& block) { return lanesWithin(block); },
         [this](const Box& box, std::size_t index) {
             const std::size_t revision = mScratch.receivers.revision();
             const Vec2 lsRange = mLsRange;

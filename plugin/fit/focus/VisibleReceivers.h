@@ -7,17 +7,20 @@
 
 namespace Lixel {
 
-/// Collects what is visible of receivers; its hull is in the scratch memory.
+/// Collects what is visible of receivers.
 class VisibleReceivers {
 public:
     /// @param lit what the light reaches
+    /// @param[out] inView the receivers that may reach into what is in view and lit
     VisibleReceivers(const ShadowProblem& problem, const LightImage& image, const ConvexVolume& lit,
-                     FocusScratch& scratch);
+                     FocusScratch& scratch, BoxSet& inView);
 
     void addAll(const BoxSet& receivers);
     /// Adds what is visible of a box that is no body of the problem's.
     void addClipped(const Box& box);
 
+    /// Hull of what was added, in the light image.
+    const ImageHull& hull() const { return mScratch.receivers; }
     /// Least and greatest distance along the light's axis, and depth in front of the viewer.
     const Vec2& lsRange() const { return mLsRange; }
     const Vec2& vsRange() const { return mVsRange; }
@@ -36,6 +39,7 @@ private:
     const ShadowProblem& mProblem;
     const LightImage& mImage;
     FocusScratch& mScratch;
+    BoxSet& mInView;
     Gauge mLsDepth;
     Gauge mVsDepth;
     ConvexVolume mSeen;

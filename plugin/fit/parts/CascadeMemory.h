@@ -13,9 +13,16 @@ struct CascadeView {
     double vsReceiverNear = 0.0;
 };
 
-/// The depths between which slices lie.
+/// Room for finding the depths that are seen. Nobody else reads it.
+struct CascadeScratch {
+    FocusScratch focusing;
+    FocusRegion region;
+    SampleScratch sampling;
+    std::vector<ViewSample> samples;
+};
+
+/// The depths between which slices lie: what outlives a frame.
 struct CascadeMemory {
-    FitState state;
     /// What is seen, as settled so far; 0 before.
     double nearest = 0.0;
     double farthest = 0.0;

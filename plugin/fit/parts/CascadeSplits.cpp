@@ -1,11 +1,12 @@
 #include "fit/parts/CascadeSplits.h"
 
-#include "fit/core/Fit.h"
+#include "fit/core/Validity.h"
 #include "fit/focus/ViewVolume.h"
 #include "fit/parts/CascadeMemory.h"
 #include "fit/parts/LightPartition.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -28,6 +29,9 @@ constexpr double CutStep = 0.693; // ln 2
 
 /// Least ratio of nearest and farthest: an eye that touches a receiver wants no slice for it.
 constexpr double LeastNearRatio = 1e-4;
+
+/// Relative rounding of a near plane's depth that comes from a projection matrix in float.
+constexpr double NearRounding = 0x1p-16;
 
 /// All that view rays find: the least and the greatest of few would be anywhere.
 constexpr std::size_t AllSamples = ViewRays::Rounds * ViewRays::Count;
@@ -63,21 +67,20 @@ void settle(double nearest, double farthest, const CascadeView& view, CascadeMem
 }
 
 /// Depths of what is seen of all slices together; false where nothing is.
-bool findDepths(const ShadowProblem& problem, CascadeMemory& memory) {
+bool findDepths(const ShadowProblem& problem, CascadeMemory& memory, CascadeScratch& scratch) {
     if (!isValid(problem) || needsParts(problem.light)) return false;
-    FitState& state = memory.state;
-    FocusRegion& region = state.region;
+    FocusRegion& region = scratch.region;
     const LightImage image(problem.light);
-    findFocusRegion(problem, image, state.scratch, region);
+    findFocusRegion(problem, image, scratch.focusing, region);
     if (!hasMap(region.reason)) return false;
-    sampleView(problem, image, region.liHull, state.scratch.receiversInView,
-               {.most = AllSamples, .enough = AllSamples}, state.sampling, state.samples);
+    sampleView(problem, image, region.liHull, region.receiversInView,
+               {.most = AllSamples, .enough = AllSamples}, scratch.sampling, scratch.samples);
     double nearest = region.vsReceiverNear;
     double farthest = region.vsReceiverFar;
-    if (!state.samples.empty()) {
+    if (!scratch.samples.empty()) {
         nearest = farthest;
         farthest = 0.0;
-        for (const ViewSample& sample : state.samples) {
+        for (const ViewSample& sample : scratch.samples) {
             nearest = std::min(nearest, sample.vsDepth);
             farthest = std::max(farthest, sample.vsDepth);
         }
@@ -100,18 +103,58 @@ bool planDepths(const ShadowProblem& problem, CascadeMemory& memory) {
     return memory.nearest > 0.0;
 }
 
+/// Depth of the near plane on the viewer's axis; 0 where it is not in front of the viewer.
+double vsNearOf(const Mat4& clipFromView) {
+    const Eigen::RowVector4d plane = clipFromView.row(2) + clipFromView.row(3);
+    const double depth = plane[3] / plane[2];
+    return std::isfinite(depth) ? std::max(depth, 0.0) : 0.0;
+}
+
+/// The first of the given depths: no slice ends before the viewer sees anything.
+void givenDepths(const ShadowViewer& viewer, std::size_t most, const std::vector<double>& depths,
+                 std::vector<double>& vsSplits) {
+    const double vsNear = vsNearOf(viewer.clipFromView) * (1.0 + NearRounding);
+    const auto first = std::upper_bound(depths.begin(), depths.end(), vsNear);
+    vsSplits.assign(first, depths.end());
+    if (vsSplits.size() > most) vsSplits.resize(most);
+}
+
+constexpr std::array Declared{
+    option<&CascadeOptions::uniformity>(
+        "uniformity", between(0.0, 1.0), "",
+        "0: the depths of all slices have one ratio; 1: all are equally deep"),
+    option<&CascadeOptions::followReceivers>(
+        "follow_receivers",
+        "whether slices divide what is seen and can be shadowed, following it little by little, or "
+        "what is between the near plane and the end of shadows; off for stable maps"),
+    option<&CascadeOptions::vsSplitDepths>(
+        "split_depths", above(0.0), "world units",
+        "where slices meet, instead of all this; those up to the near plane do not count"),
+    option<&CascadeOptions::splitPadding>(
+        "split_padding", atLeast(0.0), "world units",
+        "how much farther each slice's map reaches than to where slices meet, for receivers of "
+        "others, which may find slices by another depth"),
+};
+
 } // namespace
 
-void cascadeSplits(const ShadowProblem& problem, int count, const CascadeOptions& options,
-                   CascadeMemory& memory, std::vector<double>& vsSplits) {
+std::span<const Option> CascadeOptions::declared() {
+    return Declared;
+}
+
+void cascadeSplits(const ShadowProblem& problem, std::size_t count, const CascadeOptions& options,
+                   CascadeMemory& memory, CascadeScratch& scratch, std::vector<double>& vsSplits) {
     vsSplits.clear();
     if (count < 2) return;
-    if (options.followReceivers ? !findDepths(problem, memory) : !planDepths(problem, memory))
-        return;
+    if (!options.vsSplitDepths.empty())
+        return givenDepths(problem.viewer, count - 1, options.vsSplitDepths, vsSplits);
+    const bool isFound = options.followReceivers ? findDepths(problem, memory, scratch)
+                                                 : planDepths(problem, memory);
+    if (!isFound) return;
     const double ratio = memory.farthest / memory.nearest;
     const double uniformity = std::clamp(options.uniformity, 0.0, 1.0);
-    for (int i = 1; i < count; ++i) {
-        const double part = static_cast<double>(i) / count;
+    for (std::size_t i = 1; i < count; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(count);
         const double logarithmic = memory.nearest * std::pow(ratio, part);
         const double uniform = memory.nearest + (memory.farthest - memory.nearest) * part;
         vsSplits.push_back(logarithmic + uniformity * (uniform - logarithmic));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/problem/Option.h"
 #include "fit/problem/ShadowProblem.h"
 
 #include <vector>
@@ -9,19 +10,30 @@ namespace Lixel {
 /// Where the view is cut into slices, one map each.
 struct CascadeOptions {
     /// 0: depths of all slices have one ratio, so that near and far are alike (Zhang et al. 2006,
-    /// "logarithmic"); 1: slices are equally deep; the "practical" scheme is between. In [0, 1].
+    /// "logarithmic"); 1: slices are equally deep; the "practical" scheme is between.
     double uniformity = 0.0;
     /// Whether to split the depths from the nearest to the farthest that is seen, or from the near
     /// plane to the far end of shadows: the latter stay where they are as long as the viewer's
-    /// projection does.
+    /// projection does. With stable maps (UniformOptions::stable) they should stay.
     bool followReceivers = true;
+    /** Where slices meet, as depths in front of the viewer, instead of all that. Depths up to the
+        viewer's near plane do not count, and there are as many of the others as maps less one: so
+        these may be all that Ogre::PSSMShadowCameraSetup::getSplitPoints() returns. */
+    std::vector<double> vsSplitDepths{};
+    /** How much farther each slice's map reaches than to where slices meet. 0 is enough for Lixel's
+        materials. Others may find slices by another depth: OGRE's receivers compare clip z, which
+        is less by up to twice the viewer's near distance. */
+    double splitPadding = 0.0;
+
+    LIXEL_API static std::span<const Option> declared();
 };
 
 struct CascadeMemory;
+struct CascadeScratch;
 
 /** Depths in front of the viewer at which slices meet, ascending, in world units.
 
-    With followReceivers: between the nearest and the farthest point that the viewer sees of what
+    With vsSplitDepths: these. With followReceivers: between the nearest and the farthest point that the viewer sees of what
     may be shadowed (Lauritzen et al. 2011, "sample distribution shadow maps", from the fit's few
     samples instead of all pixels). These depths follow little by little, the faster the more
     changes in a frame: so what comes into view, or is no longer hidden, does not make all edges
@@ -32,7 +44,7 @@ struct CascadeMemory;
     @param[out] vsSplits count - 1 depths; none where nothing in view is shadowed, or the view has
     no end and nothing in it
 */
-LIXEL_API void cascadeSplits(const ShadowProblem& problem, int count, const CascadeOptions& options,
-                             CascadeMemory& memory, std::vector<double>& vsSplits);
+void cascadeSplits(const ShadowProblem& problem, std::size_t count, const CascadeOptions& options,
+                   CascadeMemory& memory, CascadeScratch& scratch, std::vector<double>& vsSplits);
 
 } // namespace Lixel

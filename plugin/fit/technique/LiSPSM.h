@@ -1,19 +1,8 @@
 #pragma once
 
-#include "fit/problem/ShadowFit.h"
-#include "fit/problem/ShadowProblem.h"
+#include "fit/problem/Technique.h"
 
 namespace Lixel {
-
-struct FitState;
-
-/// Options of LiSPSM.
-struct LiSPSMOptions {
-    /** The perspective's distance n of near plane and apex, as a multiple of n_opt: 1 is the
-        paper's balance of near and far; smaller gives more texels to the near, ∞ is uniform. In
-        (0, ∞). */
-    double distanceFactor = 1.0;
-};
 
 /** Light space perspective shadow maps (Wimmer, Scherzer, Purgathofer 2004).
 
@@ -37,10 +26,14 @@ struct LiSPSMOptions {
     For a local light P lies in the light's own image, and sin γ, the change of depth across the
     light, becomes that on a plane across the light's axis through the farthest receiver. The
     light's own perspective is left as it is. An orthographic viewer gets the uniform map.
-
-    @return one map, or the reason why there is none. @see ShadowFit
 */
-LIXEL_API ShadowFit fitLiSPSM(const ShadowProblem& problem, const LiSPSMOptions& options,
-                              FitState& state) noexcept;
+struct LiSPSMOptions {
+    /** The perspective's distance n of near plane and apex, as a multiple of n_opt: 1 is the
+        paper's balance of near and far; smaller gives more texels to the near, ∞ is uniform. In
+        (0, ∞). */
+    double distanceFactor = 1.0;
+
+    LIXEL_API static const Technique& technique();
+};
 
 } // namespace Lixel

@@ -1,9 +1,10 @@
 #include "fit/technique/Optimal.h"
 
-#include "fit/core/Fit.h"
-#include "fit/technique/WarpSearch.h"
+#include "fit/core/Declare.h"
+#include "fit/rule/WarpSearch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -54,9 +55,9 @@ WarpSearch::Judged bestOfAll(const WarpContext& context, WarpSearch& search, int
     return search.around(best, left - probes);
 }
 
-WarpChoice optimalWarp(const WarpContext& context, const OptimalOptions& options) {
+WarpChoice optimalWarp(const WarpContext& context, const OptimalOptions& options, RuleState state) {
     WarpSearch search(context,
-                      static_cast<std::size_t>(std::clamp(options.samples, 1, MostSamples)));
+                      static_cast<std::size_t>(std::clamp(options.samples, 1, MostSamples)), state);
     WarpSearch::Judged best;
     if (search.usable()) {
         const int evaluations = std::clamp(options.evaluations, LeastEvaluations, MostEvaluations);
@@ -68,12 +69,22 @@ WarpChoice optimalWarp(const WarpContext& context, const OptimalOptions& options
     return {search.warp(search.settle(best)), FitReason::None};
 }
 
+constexpr std::array Declared{
+    option<&OptimalOptions::samples>("samples", between(1, MostSamples), "",
+                                     "points of the picture by which warps are judged, at most; "
+                                     "about half as many where shadows fill little of the picture"),
+    option<&OptimalOptions::evaluations>("evaluations", between(LeastEvaluations, MostEvaluations),
+                                         "",
+                                         "warps judged after a camera cut; a quarter of it, and at "
+                                         "least 8, in a frame that follows another"),
+};
+
 } // namespace
 
-ShadowFit fitOptimal(const ShadowProblem& problem, const OptimalOptions& options,
-                     FitState& state) noexcept {
-    return fitWithRule(problem, state,
-                       [&](const WarpContext& context) { return optimalWarp(context, options); });
+const Technique& OptimalOptions::technique() {
+    static constexpr Technique declared = declare<OptimalOptions, optimalWarp>(
+        "Optimal", "texels smallest where the viewer looks", "Chong 2006, §3.3", Declared);
+    return declared;
 }
 
 } // namespace Lixel

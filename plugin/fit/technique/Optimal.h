@@ -1,21 +1,8 @@
 #pragma once
 
-#include "fit/problem/ShadowFit.h"
-#include "fit/problem/ShadowProblem.h"
+#include "fit/problem/Technique.h"
 
 namespace Lixel {
-
-struct FitState;
-
-/// What the optimal fit may spend: the knob between time and accuracy.
-struct OptimalOptions {
-    /// Samples of what the viewer sees, at most, by which warps are judged; about half as many of
-    /// what fills little of the picture. At least 1.
-    int samples = 64;
-    /// Warps judged where nothing is known of the frame before, at least 8. A frame that follows
-    /// another goes on from there with a quarter, and at least 8.
-    int evaluations = 32;
-};
 
 /** The warp that makes texels smallest, on average over what the viewer sees.
 
@@ -29,10 +16,16 @@ struct OptimalOptions {
 
     Serves directional and spot lights, perspective and orthographic viewers. From frame to frame
     the choice is followed steadily, and at once after a camera cut.
-
-    @return one map, or the reason why there is none. @see ShadowFit
 */
-LIXEL_API ShadowFit fitOptimal(const ShadowProblem& problem, const OptimalOptions& options,
-                               FitState& state) noexcept;
+struct OptimalOptions {
+    /// Samples of what the viewer sees, at most, by which warps are judged; about half as many of
+    /// what fills little of the picture. At least 1.
+    int samples = 64;
+    /// Warps judged where nothing is known of the frame before, at least 8. A frame that follows
+    /// another goes on from there with a quarter, and at least 8.
+    int evaluations = 32;
+
+    LIXEL_API static const Technique& technique();
+};
 
 } // namespace Lixel

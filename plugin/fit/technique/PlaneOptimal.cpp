@@ -1,12 +1,13 @@
 #include "fit/technique/PlaneOptimal.h"
 
-#include "fit/core/Fit.h"
+#include "fit/core/Declare.h"
 #include "fit/core/Warp.h"
-#include "fit/technique/ViewDepth.h"
+#include "fit/rule/ViewDepth.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 
 namespace Lixel {
 namespace {
@@ -51,11 +52,14 @@ bool facesBoth(const WarpContext& context, const Vec4& plane, double sine) {
 }
 
 WarpChoice planeOptimalWarp(const WarpContext& context, const PlaneOptimalOptions& options) {
-    const double length = options.wsNormal.norm();
-    if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(options.offset))
+    const Vec3 normal = options.wsPlane.head<3>();
+    const double length = normal.norm();
+    // The fit's origin is not the world's.
+    const double offset = options.wsPlane.w() + normal.dot(context.problem.wsOrigin);
+    if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(offset))
         return {Vec2::Zero(), FitReason::PlaneCannotServe};
     Vec4 plane;
-    plane << options.wsNormal / length, options.offset / length;
+    plane << normal / length, offset / length;
 
     // Rows x, y and w of C ((n . L) I - L n^T), acting on ℓ; positive for what the viewer sees of
     // the plane.
@@ -86,13 +90,22 @@ WarpChoice planeOptimalWarp(const WarpContext& context, const PlaneOptimalOption
     return {warp, pull < 1.0 ? FitReason::WarpClamped : FitReason::None};
 }
 
+constexpr std::array Declared{
+    option<&PlaneOptimalOptions::wsPlane>("plane",
+                                          "the plane in the world that the map is made for"),
+    option<&PlaneOptimalOptions::exact>(
+        "exact", "whether the map is exactly the viewer's picture of the plane, free of aliasing "
+                 "there, while receivers that it has no place for stay lit; without, the plane "
+                 "picks the warp and everything is served"),
+};
+
 } // namespace
 
-ShadowFit fitPlaneOptimal(const ShadowProblem& problem, const PlaneOptimalOptions& options,
-                          FitState& state) noexcept {
-    return fitWithRule(problem, state, [&](const WarpContext& context) {
-        return planeOptimalWarp(context, options);
-    });
+const Technique& PlaneOptimalOptions::technique() {
+    static constexpr Technique declared = declare<PlaneOptimalOptions, planeOptimalWarp>(
+        "PlaneOptimal", "warped as one plane wants it, such as the ground",
+        "Chong and Gortler 2004", Declared);
+    return declared;
 }
 
 } // namespace Lixel

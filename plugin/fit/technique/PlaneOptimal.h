@@ -1,22 +1,8 @@
 #pragma once
 
-#include "fit/problem/ShadowFit.h"
-#include "fit/problem/ShadowProblem.h"
+#include "fit/problem/Technique.h"
 
 namespace Lixel {
-
-struct FitState;
-
-/// Options of plane optimal maps.
-struct PlaneOptimalOptions {
-    /** The plane of interest: points x with normal . x + offset = 0, in world axes relative to the
-        problem's origin. The normal may have any length but zero, and either side may be up. */
-    Vec3 wsNormal = Vec3::UnitY();
-    double offset = 0.0;
-    /** Whether the map is exactly the viewer's picture of the plane. What it cannot serve then is
-        said; without, all that is seen is served, and the plane only picks the warp. */
-    bool exact = false;
-};
 
 /** Plane optimal shadow maps (Chong and Gortler 2004; Chong 2006, §2.3).
 
@@ -30,8 +16,8 @@ struct PlaneOptimalOptions {
 
     Exact: the map is that homography. Where it has as many texels as the viewport has pixels, and
     whatever the filter's radius, m = 1 on the plane. Chong's Figure 2, in words: rays from the
-   light to what the viewer sees of the plane fill a wedge; receivers outside of it, behind the
-   plane or beside what is seen of it, have no place in the map (denominator <= 0, or beyond the
+    light to what the viewer sees of the plane fill a wedge; receivers outside of it, behind the
+    plane or beside what is seen of it, have no place in the map (denominator <= 0, or beyond the
    border). ShadowFit::wsServed says which, the reason is PlaneCannotServe if there are any in the
    focus region; there is no border kept for the filter. Where plane and light, or plane and viewer,
    meet, where they are on different sides of the plane, or nothing of the focus region is served,
@@ -42,12 +28,19 @@ struct PlaneOptimalOptions {
     least denominator is a fixed part of the greatest (WarpClamped). With the light in the plane
     there is no such row; the warp fades out as it comes near (PlaneCannotServe).
 
-    Directional and spot lights; perspective and orthographic viewers. A normal without length or an
-    offset that is not finite gives the uniform map and PlaneCannotServe.
-
-    @return one map, or the reason why there is none. @see ShadowFit
+    Directional and spot lights; perspective and orthographic viewers. A normal without length, or a plane
+    that is not finite, gives the uniform map and PlaneCannotServe.
 */
-LIXEL_API ShadowFit fitPlaneOptimal(const ShadowProblem& problem,
-                                    const PlaneOptimalOptions& options, FitState& state) noexcept;
+struct PlaneOptimalOptions {
+    /** The plane of interest (n, d): points x of the world, not relative to the problem's origin,
+        with n . x + d = 0. Its normal may have any length except zero, and either side may be up.
+        */
+    Vec4 wsPlane = Vec4(0.0, 1.0, 0.0, 0.0);
+    /** Whether the map is exactly the viewer's picture of the plane. What it cannot serve then is
+        said; without, all that is seen is served, and the plane only picks the warp. */
+    bool exact = false;
+
+    LIXEL_API static const Technique& technique();
+};
 
 } // namespace Lixel

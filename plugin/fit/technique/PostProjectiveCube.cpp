@@ -1,9 +1,11 @@
 #include "fit/technique/PostProjectiveCube.h"
 
-#include "fit/core/Fit.h"
+#include "fit/core/Declare.h"
 #include "fit/core/Warp.h"
 #include "fit/problem/ShadowPart.h"
-#include "fit/technique/ViewDepth.h"
+#include "fit/rule/ViewDepth.h"
+
+#include <array>
 
 #include <Eigen/Geometry>
 
@@ -15,8 +17,7 @@ namespace {
 WarpChoice faceWarp(const WarpContext& context, const CubeOptions& options) {
     const ShadowPart* const part = context.problem.part;
     const FocusRegion& region = context.region;
-    if (part == nullptr || part->wsExit.isZero(0.0) || !context.perspective) return {};
-    if (!(region.vsReceiverFar > 0.0)) return {};
+    if (part == nullptr || part->wsExit.isZero(0.0) || !context.hasDepths()) return {};
     const DepthRange depths = ViewDepth(context).ofRegion(context);
     const double slideBack = options.slideBack * std::sqrt(depths.nearest * depths.farthest);
 
@@ -30,12 +31,16 @@ WarpChoice faceWarp(const WarpContext& context, const CubeOptions& options) {
     return {warpOf(covector, region.liHull, region.liCentre), FitReason::None};
 }
 
+constexpr std::array Declared{
+    option<&CubeOptions::slideBack>("slide_back", atLeast(0.0), "", "as for PSM"),
+};
+
 } // namespace
 
-ShadowFit fitPostProjectiveFace(const ShadowProblem& problem, const CubeOptions& options,
-                                FitState& state) noexcept {
-    return fitWithRule(problem, state,
-                       [&](const WarpContext& context) { return faceWarp(context, options); });
+const Technique& CubeOptions::technique() {
+    static constexpr Technique declared = declare<CubeOptions, faceWarp>(
+        "PostProjectiveCube", "cube map of post-projective space", "Kozlov 2004", Declared);
+    return declared;
 }
 
 } // namespace Lixel

@@ -1,17 +1,8 @@
 #pragma once
 
-#include "fit/problem/ShadowFit.h"
-#include "fit/problem/ShadowProblem.h"
+#include "fit/problem/Technique.h"
 
 namespace Lixel {
-
-struct FitState;
-
-/// Options of the cube map of post-projective space.
-struct CubeOptions {
-    /// As PsmOptions::slideBack: 0 favours the near most, 1 makes near and far alike. In [0, ∞).
-    double slideBack = 0.25;
-};
 
 /** One face of Kozlov's cube map in post-projective space (2004, §14.2.2): one map of the view
     volume's face through which its light rays leave. @see facesOfView
@@ -27,9 +18,12 @@ struct CubeOptions {
 
     @param problem one with a part that facesOfView made; any other gives the uniform map, as an
     orthographic viewer does
-    @return one map, or the reason why there is none. @see ShadowFit
 */
-LIXEL_API ShadowFit fitPostProjectiveFace(const ShadowProblem& problem, const CubeOptions& options,
-                                          FitState& state) noexcept;
+struct CubeOptions {
+    /// As PsmOptions::slideBack: 0 favours the near most, 1 makes near and far alike. In [0, ∞).
+    double slideBack = 0.25;
+
+    LIXEL_API static const Technique& technique();
+};
 
 } // namespace Lixel

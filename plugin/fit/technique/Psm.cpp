@@ -1,13 +1,14 @@
 #include "fit/technique/Psm.h"
 
-#include "fit/core/Fit.h"
+#include "fit/core/Declare.h"
 #include "fit/core/Warp.h"
 #include "fit/geometry/Cone.h"
-#include "fit/technique/ViewDepth.h"
+#include "fit/rule/ViewDepth.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 
 namespace Lixel {
 namespace {
@@ -15,12 +16,12 @@ namespace {
 /// Least ratio of far and near plane: all receivers may be at one depth.
 constexpr double LeastFarRatio = 1.0 + 1e-3;
 
-WarpChoice psmWarp(const WarpContext& context, const PsmOptions& options) {
+WarpChoice psmWarp(const WarpContext& context, const PsmOptions& options, RuleState state) {
     const FocusRegion& region = context.region;
     const LightImage& image = context.image;
-    if (!context.perspective || !(region.vsReceiverFar > 0.0)) return {};
-    const double sine = context.viewDirection.head<2>().norm();
-    if (image.directional() && !(sine > 0.0)) return {Vec2::Zero(), FitReason::LightAlongView};
+    const ViewImage& view = context.view;
+    if (!context.hasDepths()) return {};
+    if (image.directional() && view.vanishes()) return {Vec2::Zero(), FitReason::LightAlongView};
 
     const DepthRange depths = ViewDepth(context).ofRegion(context);
     const double farthest = std::max(depths.farthest, LeastFarRatio * depths.nearest);
@@ -34,16 +35,22 @@ WarpChoice psmWarp(const WarpContext& context, const PsmOptions& options) {
         fromWorld.row(row) = light.w() * clip.row(row) - light[row] * clip.row(3);
     const Mat3 fromLightImage = fromWorld * image.wsFromOriented();
 
-    std::vector<Vec3>& directions = context.state.directions;
+    std::vector<Vec3>& directions = state.scratch.directions;
     directions.clear();
     for (const Vec2& q : region.liHull)
         directions.push_back((fromLightImage * q.homogeneous()).stableNormalized());
     const Vec3 covector = fromLightImage.transpose() * smallestConeAxis(directions);
     const Vec2 warp = warpOf(covector, region.liHull, region.liCentre);
     if (!image.directional()) return {warp, FitReason::None};
-    const double fade = fadeBySine(sine);
-    return {fade * warp, fade < 1.0 ? FitReason::LightAlongView : FitReason::None};
+    return {view.fade * warp, view.reason()};
 }
+
+constexpr std::array Declared{
+    option<&PsmOptions::slideBack>(
+        "slide_back", atLeast(0.0), "",
+        "how far the virtual viewer slides back, relative to the geometric mean of the nearest and "
+        "farthest receiver's depth: 0 favours the near, 1 makes near and far alike"),
+};
 
 } // namespace
 
@@ -61,10 +68,11 @@ Mat4 virtualViewer(const ShadowViewer& viewer, double slideBack, double nearest,
     return clip * viewer.viewFromWorld;
 }
 
-ShadowFit fitPsm(const ShadowProblem& problem, const PsmOptions& options,
-                 FitState& state) noexcept {
-    return fitWithRule(problem, state,
-                       [&](const WarpContext& context) { return psmWarp(context, options); });
+const Technique& PsmOptions::technique() {
+    static constexpr Technique declared =
+        declare<PsmOptions, psmWarp>("PSM", "perspective, in the viewer's space",
+                                     "Stamminger and Drettakis 2002, Kozlov 2004", Declared);
+    return declared;
 }
 
 } // namespace Lixel

@@ -1,21 +1,8 @@
 #pragma once
 
-#include "fit/problem/ShadowFit.h"
-#include "fit/problem/ShadowProblem.h"
+#include "fit/problem/Technique.h"
 
 namespace Lixel {
-
-struct FitState;
-
-/// Options of perspective shadow maps.
-struct PsmOptions {
-    /** How far the virtual viewer stands behind the viewer, its near plane staying where it is
-        (Kozlov 2004, Figure 14-6), relative to sqrt(n f) with n and f the depths of the nearest and
-        farthest receiver in the focus region. 0 is the paper without slide-back, which favours
-        the near most; 1 makes the perspective error of a side light alike near and far. In
-        [0, ∞). */
-    double slideBack = 0.25;
-};
 
 /** Perspective shadow maps (Stamminger and Drettakis 2002) as Kozlov (2004, "Care and Feeding")
     mends them: a map drawn in the viewer's post-projective space.
@@ -43,11 +30,17 @@ struct PsmOptions {
     With the light along the view all depths have one density, and the cone's tilt towards a region
     beside the axis is all that is left of the warp; it fades out (LightAlongView). For spots the
     same formula holds. An orthographic viewer gets the uniform map.
-
-    @return one map, or the reason why there is none. @see ShadowFit
 */
-LIXEL_API ShadowFit fitPsm(const ShadowProblem& problem, const PsmOptions& options,
-                           FitState& state) noexcept;
+struct PsmOptions {
+    /** How far the virtual viewer stands behind the viewer, its near plane staying where it is
+        (Kozlov 2004, Figure 14-6), relative to sqrt(n f) with n and f the depths of the nearest and
+        farthest receiver in the focus region. 0 is the paper without slide-back, which favours
+        the near most; 1 makes the perspective error of a side light alike near and far. In
+        [0, ∞). */
+    double slideBack = 0.25;
+
+    LIXEL_API static const Technique& technique();
+};
 
 /// The virtual viewer's OpenGL clip space from world axes: `slideBack` (world units) behind the
 /// viewer, with clip planes at depths `nearest` < `farthest` in front of the viewer itself.

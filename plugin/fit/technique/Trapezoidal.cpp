@@ -1,8 +1,8 @@
 #include "fit/technique/Trapezoidal.h"
 
-#include "fit/core/Fit.h"
+#include "fit/core/Declare.h"
 #include "fit/focus/ViewVolume.h"
-#include "fit/technique/ViewDepth.h"
+#include "fit/rule/ViewDepth.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -76,34 +76,39 @@ WarpChoice warpOfASun(const WarpContext& context, const TrapezoidalOptions& opti
 WarpChoice warpOfALamp(const WarpContext& context, const TrapezoidalOptions& options,
                        const DepthRange& depths) {
     const FocusRegion& region = context.region;
-    const Vec2 along = context.viewDirection.head<2>();
-    const double sine = along.norm();
-    if (!(sine > 0.0)) return {Vec2::Zero(), FitReason::LightAlongView};
-    const Vec2 direction = along / sine;
+    const auto& [direction, sine, fade] = context.view;
+    if (context.view.vanishes()) return {Vec2::Zero(), FitReason::LightAlongView};
     const double slope = sine * region.lsReceiverFar;
     const double inverse =
         inverseApexDistance(options, depths.farthest, options.focusDistance * depths.farthest);
     const double top = -support(region.liHull, -direction);
     const double centre = depths.nearest + slope * (direction.dot(region.liCentre) - top);
-    const double length = fadeBySine(sine) * slope * inverse / (1.0 + inverse * centre);
+    const double length = fade * slope * inverse / (1.0 + inverse * centre);
     if (!std::isfinite(length)) return {};
-    return {length * direction, sine < FadeSine ? FitReason::LightAlongView : FitReason::None};
+    return {length * direction, context.view.reason()};
 }
 
 WarpChoice trapezoidalWarp(const WarpContext& context, const TrapezoidalOptions& options) {
-    if (!context.perspective || !(context.region.vsReceiverFar > 0.0)) return {};
+    if (!context.hasDepths()) return {};
     const DepthRange depths = ViewDepth(context).ofRegion(context);
     return context.image.directional() ? warpOfASun(context, options, depths.farthest)
                                        : warpOfALamp(context, options, depths);
 }
 
+constexpr std::array Declared{
+    option<&TrapezoidalOptions::focusDistance>("focus_distance", strictlyBetween(0.0, 1.0), "",
+                                               "up to where the focus reaches, as a part of the "
+                                               "distance to the farthest receiver that matters"),
+    option<&TrapezoidalOptions::focusShare>("focus_share", strictlyBetween(0.0, 1.0), "",
+                                            "how much of the map the focus takes"),
+};
+
 } // namespace
 
-ShadowFit fitTrapezoidal(const ShadowProblem& problem, const TrapezoidalOptions& options,
-                         FitState& state) noexcept {
-    return fitWithRule(problem, state, [&](const WarpContext& context) {
-        return trapezoidalWarp(context, options);
-    });
+const Technique& TrapezoidalOptions::technique() {
+    static constexpr Technique declared = declare<TrapezoidalOptions, trapezoidalWarp>(
+        "Trapezoidal", "trapezoid, 80 % for the near", "Martin and Tan 2004", Declared);
+    return declared;
 }
 
 } // namespace Lixel

@@ -1,28 +1,15 @@
 #pragma once
 
-#include "fit/problem/ShadowFit.h"
-#include "fit/problem/ShadowProblem.h"
+#include "fit/problem/Technique.h"
 
 namespace Lixel {
-
-struct FitState;
-
-/// Options of trapezoidal maps.
-struct TrapezoidalOptions {
-    /** Where the focus point lies on the centre line: the paper's δ, as a fraction of the distance
-        from the viewer to the farthest receiver in the focus region. In (0, 1). */
-    double focusDistance = 0.25;
-    /** How much of the map lies before the focus point: the paper's 80 % line. In (0, 1). A share
-        that a map without warp gives already leaves the map as it is. */
-    double focusShare = 0.8;
-};
 
 /** Trapezoidal shadow maps (Martin and Tan 2004).
 
     Seen from the light, a trapezoid lies around the viewer's frustum: its centre line l is the
-   image of the frustum's axis, its top and base line stand across l and touch the frustum's hull,
-   the top on the viewer's side. Warped to a square, the trapezoid's upper part, up to the focus
-   point p_L on l, shall take 80 % of the square (§4.2, "80 % rule"). With λ the distance of top and
+    image of the frustum's axis, its top and base line stand across l and touch the frustum's hull,
+    the top on the viewer's side. Warped to a square, the trapezoid's upper part, up to the focus
+    point p_L on l, shall take 80 % of the square (§4.2, "80 % rule"). With λ the distance of top and
     base line, d' that of p_L from the top line, and ξ = 1 - 2 share, the apex where the
     trapezoid's sides meet is at distance
 
@@ -38,12 +25,18 @@ struct TrapezoidalOptions {
     between them (LightAlongView).
 
     For a local light, whose image of the frustum may be unbounded, top and base line touch the
-   focus region instead, and distances along l are the viewer's depths on a plane across the light's
-   axis through the farthest receiver. An orthographic viewer gets the uniform map.
-
-    @return one map, or the reason why there is none. @see ShadowFit
+    focus region instead, and distances along l are the viewer's depths on a plane across the light's
+    axis through the farthest receiver. An orthographic viewer gets the uniform map.
 */
-LIXEL_API ShadowFit fitTrapezoidal(const ShadowProblem& problem, const TrapezoidalOptions& options,
-                                   FitState& state) noexcept;
+struct TrapezoidalOptions {
+    /** Where the focus point lies on the centre line: the paper's δ, as a fraction of the distance
+        from the viewer to the farthest receiver in the focus region. In (0, 1). */
+    double focusDistance = 0.25;
+    /** How much of the map lies before the focus point: the paper's 80 % line. In (0, 1). A share
+        that a map without warp gives already leaves the map as it is. */
+    double focusShare = 0.8;
+
+    LIXEL_API static const Technique& technique();
+};
 
 } // namespace Lixel

@@ -1,19 +1,30 @@
 #include "fit/technique/Uniform.h"
 
-#include "fit/core/Fit.h"
-#include "fit/technique/StableUniform.h"
+#include "fit/core/Declare.h"
+#include "fit/rule/StableUniform.h"
+
+#include <array>
 
 namespace Lixel {
+namespace {
 
-ShadowFit fitUniform(const ShadowProblem& problem, const UniformOptions& options,
-                     FitState& state) noexcept {
-    return fitWithRule(problem, state, [&](const WarpContext& context) {
-        return options.stable ? stableMap(context) : WarpChoice{};
-    });
+WarpChoice uniformWarp(const WarpContext& context, const UniformOptions& options, RuleState state) {
+    return options.stable ? stableMap(context, state) : WarpChoice{};
 }
 
-ShadowFit fitUniform(const ShadowProblem& problem, FitState& state) noexcept {
-    return fitUniform(problem, UniformOptions(), state);
+constexpr std::array Declared{
+    option<&UniformOptions::stable>(
+        "stable", "texels that stay where they are in the world while the viewer turns and moves, "
+                  "instead of a map that is focused: set a shadow distance with it, or use it for "
+                  "the slices of cascades"),
+};
+
+} // namespace
+
+const Technique& UniformOptions::technique() {
+    static constexpr Technique declared = declare<UniformOptions, uniformWarp>(
+        "Uniform", "uniform, focused on visible receivers", "Williams 1978", Declared);
+    return declared;
 }
 
 } // namespace Lixel

@@ -1,17 +1,8 @@
 #pragma once
 
-#include "fit/problem/ShadowFit.h"
-#include "fit/problem/ShadowProblem.h"
+#include "fit/problem/Technique.h"
 
 namespace Lixel {
-
-struct FitState;
-
-/// Options of uniform shadow maps.
-struct UniformOptions {
-    /// Steady texels instead of small ones. @see fitUniform
-    bool stable = false;
-};
 
 /** The uniform shadow map (Williams 1978): warp 0.
 
@@ -27,13 +18,15 @@ struct UniformOptions {
     world. For a spot it is all of the cone. A view without end, which has no such sphere, gets the
     focused map and the reason ViewWithoutEnd. Bodies of the view's own size, or a light that moves,
     change the map of course.
-
-    @return one map, or the reason why there is none. @see ShadowFit
 */
-LIXEL_API ShadowFit fitUniform(const ShadowProblem& problem, const UniformOptions& options,
-                               FitState& state) noexcept;
+struct UniformOptions {
+    /** Steady texels instead of small ones. The map covers all that is in view up to the shadow
+        distance, which is worth setting low; or use it for the slices of cascades under a sun. A
+        spot's map covers its cone, in every slice too; a point light's face covers the cone around
+        it, and is stable only where the light has six maps. */
+    bool stable = false;
 
-/// The focused one.
-LIXEL_API ShadowFit fitUniform(const ShadowProblem& problem, FitState& state) noexcept;
+    LIXEL_API static const Technique& technique();
+};
 
 } // namespace Lixel

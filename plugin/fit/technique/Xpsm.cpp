@@ -1,13 +1,14 @@
 #include "fit/technique/Xpsm.h"
 
-#include "fit/core/Fit.h"
+#include "fit/core/Declare.h"
 #include "fit/core/Warp.h"
-#include "fit/technique/ViewDepth.h"
-#include "fit/technique/WarpSearch.h"
+#include "fit/rule/ViewDepth.h"
+#include "fit/rule/WarpSearch.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace Lixel {
@@ -26,8 +27,8 @@ constexpr std::size_t Samples = 64;
     As their extent falls from no warp to that minimum, stopping short of it is never worse than no
     warp either.
 */
-Vec2 guardedWarp(const WarpContext& context, const Vec2& warp) {
-    WarpSearch search(context, Samples);
+Vec2 guardedWarp(const WarpContext& context, const Vec2& warp, RuleState state) {
+    WarpSearch search(context, Samples, state);
     Vec2 longest = warp;
     // A simplified hull reaches farther than the hull: the warp must be safe on it too.
     pullIntoSafeSet(search.hull(), context.region.liCentre, 0.0, longest);
@@ -46,17 +47,14 @@ Vec2 guardedWarp(const WarpContext& context, const Vec2& warp) {
     return search.warp(std::clamp(settled, 0.0, length) * direction);
 }
 
-WarpChoice xpsmWarp(const WarpContext& context, const XpsmOptions& options) {
+WarpChoice xpsmWarp(const WarpContext& context, const XpsmOptions& options, RuleState state) {
     const FocusRegion& region = context.region;
-    if (!context.image.directional() || !context.perspective) return {};
-    if (!(options.strength > 0.0) || !(region.vsReceiverFar > 0.0)) return {};
+    if (!context.image.directional() || !context.hasDepths() || !(options.strength > 0.0))
+        return {};
 
     // §3.1: along the image of the view direction, whose length is the sine between view and light.
-    const Vec2 along = context.viewDirection.head<2>();
-    const double sine = along.norm();
-    if (!(sine > 0.0)) return {Vec2::Zero(), FitReason::LightAlongView};
-    const Vec2 direction = along / sine;
-    const double fade = fadeBySine(sine);
+    const auto& [direction, sine, fade] = context.view;
+    if (context.view.vanishes()) return {Vec2::Zero(), FitReason::LightAlongView};
 
     // §3.2: at depth t in front of the viewer the denominator is affine in t, f0 + t f1; f1 / f0 =
     // coef is lengthP = coef / cos γ. Depths stand for the scale of the scene, and the warp is
@@ -82,16 +80,30 @@ WarpChoice xpsmWarp(const WarpContext& context, const XpsmOptions& options) {
     if (!std::isfinite(length)) return {};
 
     Vec2 warp = fade * length * direction;
-    if (options.guarded && !warp.isZero(0.0)) warp = guardedWarp(context, warp);
+    if (options.guarded && !warp.isZero(0.0)) warp = guardedWarp(context, warp, state);
     return {warp, fade < 1.0 ? FitReason::LightAlongView : reason};
 }
 
+constexpr std::array Declared{
+    option<&XpsmOptions::strength>(
+        "strength", atLeast(0.0), "",
+        "strength of the warp: 0 is uniform, 1 is LiSPSM's balance of near and far"),
+    option<&XpsmOptions::epsilonW>(
+        "epsilon_w", aboveAndAtMost(0.0, 1.0), "",
+        "Gusev's εW: the least denominator in the focus region, relative to the viewer's; near 1 a "
+        "caster behind the viewer dampens the warp more"),
+    option<&XpsmOptions::guarded>(
+        "guarded",
+        "whether the warp is weakened where that makes texels smaller in the picture, so that it "
+        "is never expected to be worse than a uniform map; without, it is literally the paper's"),
+};
+
 } // namespace
 
-ShadowFit fitXpsm(const ShadowProblem& problem, const XpsmOptions& options,
-                  FitState& state) noexcept {
-    return fitWithRule(problem, state,
-                       [&](const WarpContext& context) { return xpsmWarp(context, options); });
+const Technique& XpsmOptions::technique() {
+    static constexpr Technique declared = declare<XpsmOptions, xpsmWarp>(
+        "XPSM", "extended perspective shadow map", "Gusev 2007", Declared);
+    return declared;
 }
 
 } // namespace Lixel

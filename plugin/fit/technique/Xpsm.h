@@ -1,13 +1,17 @@
 #pragma once
 
-#include "fit/problem/ShadowFit.h"
-#include "fit/problem/ShadowProblem.h"
+#include "fit/problem/Technique.h"
 
 namespace Lixel {
 
-struct FitState;
+/** Extended perspective shadow maps (Gusev 2007).
 
-/// Options of XPSM: pure numbers, which do not depend on a scene's scale.
+    The warp runs along the view direction's image (§3.1). Its length makes the denominator at
+    depth d in front of the viewer 1 + coef d (§3.2), and is bounded so that the focus region's
+    least denominator is epsilonW (§3.3, eq. 3). Where the paper switches to a uniform map (the
+    miner's lamp, §3.11, |V_xy| < 0.1) the warp fades out instead. Local lights, which the paper
+    leaves out, get the uniform map: their own perspective does much of what the warp would.
+*/
 struct XpsmOptions {
     /** Strength of the warp, Gusev's `coef` freed of its unit: coef = strength / sqrt(n f), for n
         and f the depths of the nearest and farthest visible receiver. 1 is the balance of near and
@@ -21,19 +25,8 @@ struct XpsmOptions {
         map's, as far as the receivers' boxes tell. From frame to frame the choice is followed
         steadily, and at once after a camera cut. Without, the warp is literally Gusev's. */
     bool guarded = true;
+
+    LIXEL_API static const Technique& technique();
 };
-
-/** Extended perspective shadow maps (Gusev 2007).
-
-    The warp runs along the view direction's image (§3.1). Its length makes the denominator at
-    depth d in front of the viewer 1 + coef d (§3.2), and is bounded so that the focus region's
-    least denominator is epsilonW (§3.3, eq. 3). Where the paper switches to a uniform map (the
-    miner's lamp, §3.11, |V_xy| < 0.1) the warp fades out instead. Local lights, which the paper
-    leaves out, get the uniform map: their own perspective does much of what the warp would.
-
-    @return one map, or the reason why there is none. @see ShadowFit
-*/
-LIXEL_API ShadowFit fitXpsm(const ShadowProblem& problem, const XpsmOptions& options,
-                            FitState& state) noexcept;
 
 } // namespace Lixel

@@ -1,5 +1,6 @@
 /// Contract, 1 and 2: for every input a fit returns, and says why where there is no map.
 #include "fit/Problems.h"
+#include "fit/Trials.h"
 
 #include "fit/technique/Uniform.h"
 
@@ -160,24 +161,24 @@ void spoilSomething(Scene& scene, Dice& dice) {
 INSTANTIATE_TEST_SUITE_P(Invalid, Garbage, testing::ValuesIn(spoilers()), ByName{});
 
 TEST_P(Garbage, HasNoMapAndAReason) {
-    for (const Technique& technique : techniques()) {
+    for (const Trial& trial : trials()) {
         Scene scene = outdoors();
         FitState state;
-        ASSERT_TRUE(technique.fit(scene.problem(), state).hasMap()) << technique.name;
+        ASSERT_TRUE(trial.fit(scene.problem(), state).hasMap()) << trial.name;
         GetParam().spoil(scene);
-        const ShadowFit fit = technique.fit(scene.problem(), state);
-        EXPECT_FALSE(fit.hasMap()) << technique.name << ": " << fit.reason;
-        EXPECT_EQ(fit.reason, GetParam().reason) << technique.name << ": " << fit.reason;
+        const ShadowFit fit = trial.fit(scene.problem(), state);
+        EXPECT_FALSE(fit.hasMap()) << trial.name << ": " << fit.reason;
+        EXPECT_EQ(fit.reason, GetParam().reason) << trial.name << ": " << fit.reason;
         // The state is none the worse for it.
         const Scene good = outdoors();
-        EXPECT_TRUE(technique.fit(good.problem(), state).hasMap()) << technique.name;
+        EXPECT_TRUE(trial.fit(good.problem(), state).hasMap()) << trial.name;
     }
 }
 
 TEST(GarbageInput, WithoutBodySetsIsInvalid) {
-    for (const Technique& technique : techniques()) {
+    for (const Trial& trial : trials()) {
         FitState state;
-        EXPECT_EQ(technique.fit(ShadowProblem{}, state).reason, FitReason::InvalidInput);
+        EXPECT_EQ(trial.fit(ShadowProblem{}, state).reason, FitReason::InvalidInput);
     }
 }
 
@@ -197,16 +198,16 @@ TEST(GarbageInput, OfHugeNumbersDoesNotCrash) {
         scenes.push_back(outdoors());
         scenes.back().viewer.clipFromView(axis, axis) = 1e308;
     }
-    for (const Technique& technique : techniques())
+    for (const Trial& trial : trials())
         for (const Scene& scene : scenes)
             EXPECT_EXIT(
                 {
                     FitState state;
-                    const ShadowFit fit = technique.fit(scene.problem(), state);
+                    const ShadowFit fit = trial.fit(scene.problem(), state);
                     std::exit(fit.hasMap() && !fit.clipFromWorld.allFinite() ? 1 : 0);
                 },
                 testing::ExitedWithCode(0), "")
-                << technique.name << "\n"
+                << trial.name << "\n"
                 << scene;
 }
 
@@ -218,10 +219,10 @@ TEST(GarbageInput, OfAnyKindGivesAFiniteMapOrNone) {
         for (std::size_t i = 0; i < times; ++i)
             spoilSomething(scene, dice);
         RC_LOG() << scene << "\n";
-        for (const Technique& technique : techniques()) {
+        for (const Trial& trial : trials()) {
             FitState state;
-            const ShadowFit fit = technique.fit(scene.problem(), state);
-            RC_LOG() << technique.name << ": " << toString(fit.reason) << "\n"
+            const ShadowFit fit = trial.fit(scene.problem(), state);
+            RC_LOG() << trial.name << ": " << toString(fit.reason) << "\n"
                      << fit.clipFromWorld << "\n";
             if (!fit.hasMap()) continue;
             RC_ASSERT(fit.clipFromWorld.allFinite());
@@ -241,8 +242,8 @@ TEST(ViewMatrix, MayBeMirroredOrHaveDrifted) {
     FitState state;
     Scene mirrored = outdoors();
     mirrored.viewer.viewFromWorld.row(0) *= -1.0;
-    EXPECT_TRUE(fitUniform(mirrored.problem(), state).hasMap());
+    EXPECT_TRUE(fitMap(mirrored.problem(), UniformOptions{}, state).hasMap());
     Scene drifted = outdoors();
     drifted.viewer.viewFromWorld.topLeftCorner<3, 3>() *= 1.0001;
-    EXPECT_TRUE(fitUniform(drifted.problem(), state).hasMap());
+    EXPECT_TRUE(fitMap(drifted.problem(), UniformOptions{}, state).hasMap());
 }

@@ -1,6 +1,7 @@
 /** The contract of a fit, for lights in several maps: every shadowed point is in the map of the
     part that serves it. */
 #include "fit/Oracle.h"
+#include "fit/Trials.h"
 
 #include "fit/parts/CascadeMemory.h"
 #include "fit/parts/CascadeSplits.h"
@@ -31,8 +32,9 @@ struct Division {
 
 LightPartition slices(const ShadowProblem& problem) {
     CascadeMemory memory;
+    CascadeScratch scratch;
     std::vector<double> splits;
-    cascadeSplits(problem, 3, {}, memory, splits);
+    cascadeSplits(problem, 3, {}, memory, scratch, splits);
     return sliceView(problem.viewer, problem.light, splits);
 }
 
@@ -53,26 +55,23 @@ LightPartition aimed(const ShadowProblem& problem) {
 struct Combination {
     std::string name;
     Division division;
-    ShadowFit (*fit)(const ShadowProblem&, FitState&);
+    Trial trial;
 };
 
 std::vector<Combination> combinations() {
     std::vector<Combination> all;
-    const auto add = [&](const Division& division, const Technique& technique) {
-        all.push_back({std::string(division.name) + technique.name, division, technique.fit});
+    const auto add = [&](const Division& division, const Trial& trial) {
+        all.push_back({std::string(division.name) + trial.name, division, trial});
     };
-    const Technique face = {"Face", [](const ShadowProblem& problem, FitState& state) {
-                                return fitPostProjectiveFace(problem, {}, state);
-                            }};
-    for (const Technique& technique : techniques())
-        add({"Slices", false, slices}, technique);
+    const Technique& cubeFace = CubeOptions::technique();
+    const Trial face{"Face", &cubeFace, cubeFace.makeOptions(nullptr)};
+    for (const Trial& trial : trialsThatServeAll())
+        add({"Slices", false, slices}, trial);
     add({"Faces", false, faces}, face);
     add({"FacesOfAPoint", true, faces}, face);
-    for (const Technique& technique : techniques()) {
-        const std::string name = technique.name;
-        if (name != "Uniform" && name != "StableUniform" && name != "Optimal") continue;
-        add({"Cube", true, cube}, technique);
-        add({"Aimed", true, aimed}, technique);
+    for (const char* const name : {"Uniform", "Uniform_stable", "Optimal"}) {
+        add({"Cube", true, cube}, trialNamed(name));
+        add({"Aimed", true, aimed}, trialNamed(name));
     }
     return all;
 }
@@ -113,7 +112,7 @@ TEST_P(PartsContract, HoldsForEveryShadowedPoint) {
             const std::size_t i = parts.serving(point.wsReceiver);
             if (!fits[i]) {
                 FitState state;
-                fits[i] = GetParam().fit(problemOf(whole, parts.parts[i]), state);
+                fits[i] = GetParam().trial.fit(problemOf(whole, parts.parts[i]), state);
             }
             const ShadowFit& fit = *fits[i];
             RC_LOG() << "receiver " << point.wsReceiver.transpose() << " occluder "

@@ -2,6 +2,7 @@
     points of the common focus region by at most 0.02. @see fit/problem/TexelInPixels.h for m
 */
 #include "fit/Oracle.h"
+#include "fit/Trials.h"
 
 #include "fit/focus/FocusRegion.h"
 #include "fit/focus/LightImage.h"
@@ -112,10 +113,10 @@ Change changeBetween(const Scene& a, const ShadowFit& fitA, const FitState& stat
     @param scene gives the i-th scene of the path.
 */
 template <typename ScenePath>
-void expectSteadyPath(const Technique& technique, int steps, const ScenePath& path) {
+void expectSteadyPath(const Trial& trial, int steps, const ScenePath& path) {
     FitState state;
     Scene before = path(0);
-    ShadowFit fitBefore = technique.fit(before.problem(), state);
+    ShadowFit fitBefore = trial.fit(before.problem(), state);
     ASSERT_TRUE(fitBefore.hasMap());
     FitState stateBefore = state;
     Change worst;
@@ -127,11 +128,11 @@ void expectSteadyPath(const Technique& technique, int steps, const ScenePath& pa
     for (int i = 1; i < steps; ++i) {
         if (i % 100 == 1) samples = samplesOf(before, dice, 60);
         Scene now = path(i);
-        const ShadowFit fit = technique.fit(now.problem(), state);
+        const ShadowFit fit = trial.fit(now.problem(), state);
         ASSERT_TRUE(fit.hasMap()) << "step " << i << ": " << fit.reason;
-        const std::size_t jumps = state.orientationJumps;
+        const std::size_t jumps = state.memory.orientationJumps;
         // A jump of the orientation that gains 10 % is counted, and forgiven.
-        if (jumps == stateBefore.orientationJumps) {
+        if (jumps == stateBefore.memory.orientationJumps) {
             const Change change =
                 changeBetween(before, fitBefore, stateBefore, now, fit, state, samples);
             measured += change.measured;
@@ -147,9 +148,9 @@ void expectSteadyPath(const Technique& technique, int steps, const ScenePath& pa
     }
     EXPECT_GT(measured, static_cast<std::size_t>(steps));
     EXPECT_LE(worst.greatest, MostChange)
-        << technique.name << ": " << violations << " of " << steps << " steps, the worst is step "
+        << trial.name << ": " << violations << " of " << steps << " steps, the worst is step "
         << worstStep << " at " << worst.ws.transpose();
-    EXPECT_LE(state.orientationJumps, 10U) << technique.name;
+    EXPECT_LE(state.memory.orientationJumps, 10U) << trial.name;
 }
 
 /** Which bodies count, each for itself: receivers that are seen, and casters that shadow any of
@@ -218,7 +219,7 @@ Scene viewerTurned(const Scene& scene, const Vec3& unitAxis, double angle) {
     return result;
 }
 
-class Steadiness : public testing::TestWithParam<Technique> {
+class Steadiness : public testing::TestWithParam<Trial> {
 protected:
     /// Random scenes by `draw`, the viewer or the light turned by a step about a random axis.
     template <typename Draw>
@@ -243,7 +244,7 @@ protected:
                 ++left;
                 return;
             }
-            if (stateB.orientationJumps > stateA.orientationJumps) return;
+            if (stateB.memory.orientationJumps > stateA.memory.orientationJumps) return;
             const auto samples = samplesOf(a, dice, 100);
             const Change change = changeBetween(a, fitA, stateA, b, fitB, stateB, samples);
             measured += change.measured;
@@ -263,7 +264,7 @@ protected:
 
 } // namespace
 
-INSTANTIATE_TEST_SUITE_P(EveryTechnique, Steadiness, testing::ValuesIn(techniques()), ByName{});
+INSTANTIATE_TEST_SUITE_P(EveryTechnique, Steadiness, testing::ValuesIn(trials()), ByName{});
 
 TEST_P(Steadiness, OfTheSunOutdoors) {
     expectSteady(randomOutdoors);

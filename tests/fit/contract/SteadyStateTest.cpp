@@ -1,5 +1,6 @@
 /// Contract, 1: in the steady state a fit allocates nothing.
 #include "fit/Problems.h"
+#include "fit/Trials.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +49,7 @@ TEST(SteadyState, CountsAllocations) {
 }
 
 TEST(SteadyState, AllocatesNothing) {
-    for (const Technique& technique : techniques())
+    for (const Trial& trial : trials())
         for (const LightKind kind : {LightKind::Directional, LightKind::Spot}) {
             Scene scene = outdoors();
             scene.light.kind = kind;
@@ -61,10 +62,10 @@ TEST(SteadyState, AllocatesNothing) {
             // Scratch buffers change places, so that all of them have been the largest only after
             // some frames.
             for (int frame = 0; frame < 100; ++frame)
-                ASSERT_TRUE(technique.fit(scene.problem(), state).hasMap());
+                ASSERT_TRUE(trial.fit(scene.problem(), state).hasMap());
             const std::size_t before = allocations;
             for (int frame = 0; frame < 50; ++frame)
-                (void)technique.fit(scene.problem(), state);
-            EXPECT_EQ(allocations, before) << technique.name;
+                (void)trial.fit(scene.problem(), state);
+            EXPECT_EQ(allocations, before) << trial.name;
         }
 }

@@ -1,5 +1,6 @@
 /// What every map has, in closed form: its depth (Gusev 2007, §3.10) and Kozlov's texel matrix.
 #include "fit/Oracle.h"
+#include "fit/Trials.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace {
 /// One fit by name: technique and kind of light.
 struct Case {
     std::string name;
-    Technique technique;
+    Trial trial;
     LightKind kind;
 };
 
@@ -28,9 +29,9 @@ void PrintTo(const Case& fit, std::ostream* out) {
 
 std::vector<Case> cases() {
     std::vector<Case> all;
-    for (const Technique& technique : techniques()) {
-        all.push_back({std::string(technique.name) + "Sun", technique, LightKind::Directional});
-        all.push_back({std::string(technique.name) + "Spot", technique, LightKind::Spot});
+    for (const Trial& trial : trials()) {
+        all.push_back({std::string(trial.name) + "Sun", trial, LightKind::Directional});
+        all.push_back({std::string(trial.name) + "Spot", trial, LightKind::Spot});
     }
     return all;
 }
@@ -41,7 +42,7 @@ protected:
         mScene.light.kind = GetParam().kind;
         mScene.light.wsPosition = Vec3(-8.0, 12.0, -12.0);
     }
-    ShadowFit fit() { return GetParam().technique.fit(mScene.problem(), mState); }
+    ShadowFit fit() { return GetParam().trial.fit(mScene.problem(), mState); }
 
     Scene mScene;
     FitState mState;
@@ -183,7 +184,7 @@ TEST_P(Fit, OfAPointReceiverExists) {
 
 TEST(FitOfAPoint, AtTheOriginsDepthExists) {
     // Its light-space depth is 0, and so is its extent: nothing gives the depth range a scale.
-    for (const Technique& technique : techniques()) {
+    for (const Trial& trial : trials()) {
         Scene scene;
         scene.viewer.clipFromView = perspective(1.0, 1.0, 0.1, 100.0);
         scene.light.wsDirection = Vec3(0.0, -1.0, 0.0);
@@ -192,37 +193,37 @@ TEST(FitOfAPoint, AtTheOriginsDepthExists) {
         Dice dice(1);
         ASSERT_FALSE(shadowedPoints(scene, dice, 50).empty());
         FitState state;
-        const ShadowFit map = technique.fit(scene.problem(), state);
-        EXPECT_TRUE(map.hasMap()) << technique.name << ": " << map.reason;
+        const ShadowFit map = trial.fit(scene.problem(), state);
+        EXPECT_TRUE(map.hasMap()) << trial.name << ": " << map.reason;
     }
 }
 
 TEST(FitOfAViewer, DoesNotDependOnHowItStoresDepth) {
     // Reversed Z, with depths from 1 at the near plane to 0 or -1 at the far one, and the far plane
     // at infinity too: what is seen is the same.
-    for (const Technique& technique : techniques()) {
+    for (const Trial& trial : trials()) {
         Scene scene = outdoors();
         FitState state;
-        const ShadowFit usual = technique.fit(scene.problem(), state);
+        const ShadowFit usual = trial.fit(scene.problem(), state);
         ASSERT_TRUE(usual.hasMap());
         scene.viewer.clipFromView.row(2) *= -1.0;
         FitState reversedState;
-        const ShadowFit reversed = technique.fit(scene.problem(), reversedState);
+        const ShadowFit reversed = trial.fit(scene.problem(), reversedState);
         EXPECT_LT((usual.clipFromWorld - reversed.clipFromWorld).norm(),
                   1e-9 * usual.clipFromWorld.norm())
-            << technique.name;
+            << trial.name;
 
         // z = near everywhere, in the range from 0 to 1.
         scene.viewer.clipFromView.row(2) << 0.0, 0.0, 0.0, 0.1;
         scene.viewer.shadowDistance = 150.0;
         FitState endlessState;
-        const ShadowFit endless = technique.fit(scene.problem(), endlessState);
-        ASSERT_TRUE(endless.hasMap()) << technique.name;
+        const ShadowFit endless = trial.fit(scene.problem(), endlessState);
+        ASSERT_TRUE(endless.hasMap()) << trial.name;
         Dice dice(4);
         for (const ShadowedPoint& point : shadowedPoints(scene, dice, 100)) {
             const Vec2 texel = texelOf(endless.clipFromWorld, scene, point.wsReceiver);
-            EXPECT_GE(texel.minCoeff(), scene.filterRadius + 1.0) << technique.name;
-            EXPECT_LE(texel.maxCoeff(), 1024.0 - scene.filterRadius - 1.0) << technique.name;
+            EXPECT_GE(texel.minCoeff(), scene.filterRadius + 1.0) << trial.name;
+            EXPECT_LE(texel.maxCoeff(), 1024.0 - scene.filterRadius - 1.0) << trial.name;
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "fit/geometry/BodyHull.h"
 
 #include "fit/Problems.h"
+#include "fit/Trials.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -181,7 +182,7 @@ TEST(BodyHull, MakesTheMapOfATurnedPlankSmaller) {
     boxes.turnedCasters.all.clear();
     FitState state;
     FitState other;
-    const Technique& uniform = techniques()[0];
+    const Trial& uniform = trialNamed("Uniform");
     const ShadowFit tight = uniform.fit(scene.problem(), state);
     const ShadowFit loose = uniform.fit(boxes.problem(), other);
     const auto area = [](const ShadowFit& fit, const Scene& in) {

@@ -1,5 +1,5 @@
-#include "fit/parts/CascadeMemory.h"
 #include "fit/parts/CascadeSplits.h"
+#include "fit/parts/CascadeMemory.h"
 
 #include "fit/Oracle.h"
 
@@ -17,10 +17,11 @@ namespace {
 
 constexpr double Degree = std::numbers::pi / 180.0;
 
-std::vector<double> splitsOf(const Scene& scene, int count, const CascadeOptions& options) {
+std::vector<double> splitsOf(const Scene& scene, std::size_t count, const CascadeOptions& options) {
     CascadeMemory memory;
+    CascadeScratch scratch;
     std::vector<double> splits;
-    cascadeSplits(scene.problem(), count, options, memory, splits);
+    cascadeSplits(scene.problem(), count, options, memory, scratch, splits);
     return splits;
 }
 
@@ -41,12 +42,13 @@ class Following {
 public:
     /// @return where the two slices meet
     double split(const ShadowProblem& problem) {
-        cascadeSplits(problem, 2, {}, mMemory, mSplits);
+        cascadeSplits(problem, 2, {}, mMemory, mScratch, mSplits);
         return mSplits.size() == 1 ? mSplits[0] : 0.0;
     }
 
 private:
     CascadeMemory mMemory;
+    CascadeScratch mScratch;
     std::vector<double> mSplits;
 };
 
@@ -158,11 +160,12 @@ TEST(CascadeSplits, StayWithWhatComesNearer) {
 
 TEST(CascadeSplits, AscendWhileTheyFollow) {
     CascadeMemory memory;
+    CascadeScratch scratch;
     std::vector<double> splits;
-    cascadeSplits(wallsAt(10.0, 70.0).problem(), 3, {}, memory, splits);
+    cascadeSplits(wallsAt(10.0, 70.0).problem(), 3, {}, memory, scratch, splits);
     for (int i = 0; i < 30; ++i) {
         // What is far goes, and what stays is nearer than what was near.
-        cascadeSplits(wallsAt(8.0, 8.5).problem(), 3, {}, memory, splits);
+        cascadeSplits(wallsAt(8.0, 8.5).problem(), 3, {}, memory, scratch, splits);
         ASSERT_EQ(splits.size(), 2U);
         EXPECT_LE(splits[0], splits[1]);
         EXPECT_LE(splits[1], 8.5 * 1.01);

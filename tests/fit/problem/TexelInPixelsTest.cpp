@@ -143,7 +143,7 @@ TEST(TexelInPixels, NoneWhereThereIsNoSuchExtent) {
 RC_GTEST_PROP(TexelInPixels, IsOneOverTheLeastStretch, ()) {
     const Scene scene = *anyScene();
     FitState state;
-    const ShadowFit fit = fitUniform(scene.problem(), state);
+    const ShadowFit fit = fitMap(scene.problem(), UniformOptions{}, state);
     RC_PRE(fit.hasMap());
     const Mat4 viewClip = scene.viewer.clipFromView * scene.viewer.viewFromWorld;
     const Vec2 mapSize(scene.mapWidth, scene.mapHeight);
@@ -183,7 +183,7 @@ RC_GTEST_PROP(TexelInPixels, IsOneOverTheLeastStretch, ()) {
 RC_GTEST_PROP(TexelInPixels, BoundsWhatAStepOfATexelMoves, ()) {
     const Scene scene = *anyScene();
     FitState state;
-    const ShadowFit fit = fitUniform(scene.problem(), state);
+    const ShadowFit fit = fitMap(scene.problem(), UniformOptions{}, state);
     RC_PRE(fit.hasMap());
     const Mat4 viewClip = scene.viewer.clipFromView * scene.viewer.viewFromWorld;
     const Vec2 mapSize(scene.mapWidth, scene.mapHeight);

@@ -43,7 +43,8 @@ TEST(LiSPSM, ApexIsAtNOptWithTheLightAcrossTheView) {
     for (const double factor : {0.5, 1.0, 3.0}) {
         const Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
         FitState state;
-        const ShadowFit fit = fitLiSPSM(scene.problem(), {.distanceFactor = factor}, state);
+        const ShadowFit fit =
+            fitMap(scene.problem(), LiSPSMOptions{.distanceFactor = factor}, state);
         ASSERT_EQ(fit.reason, FitReason::None);
         const double n = factor * nOpt;
         for (const double depth : {NearDepth, 20.0, FarDepth})
@@ -57,7 +58,7 @@ TEST(LiSPSM, PerspectiveErrorIsAlikeNearAndFar) {
     // (§4): n_opt makes the product the same at both ends.
     const Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
     FitState state;
-    const ShadowFit fit = fitLiSPSM(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
     const auto error = [&](double depth) {
         return std::pow(denominatorAt(fit, depth), 2.0) / depth;
     };
@@ -72,7 +73,7 @@ TEST(LiSPSM, EndsOfTheRegionFollowTheGeneralFormula) {
         const double angle = degrees * std::numbers::pi / 180.0;
         const Scene scene = corridor(Vec3(0.0, -std::sin(angle), -std::cos(angle)));
         FitState state;
-        const ShadowFit fit = fitLiSPSM(scene.problem(), {}, state);
+        const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
         ASSERT_EQ(fit.reason, FitReason::None) << degrees;
         const LightImage image(scene.light);
         const Vec2 along = image.lsFromDirection(Vec3(0.0, 0.0, -1.0)).head<2>();
@@ -99,7 +100,7 @@ TEST(LiSPSM, FadesAsTheLightTurnsIntoTheView) {
     for (const double angle : {1e-1, 1e-2, 1e-4, 1e-8, 0.0}) {
         const Scene scene = corridor(Vec3(0.0, -std::sin(angle), -std::cos(angle)));
         FitState state;
-        const ShadowFit fit = fitLiSPSM(scene.problem(), {}, state);
+        const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
         EXPECT_EQ(fit.reason, FitReason::LightAlongView);
         EXPECT_LE(fit.liWarp.norm(), before);
         EXPECT_LE(fit.liWarp.norm(), angle / NearDepth);
@@ -112,7 +113,7 @@ TEST(LiSPSM, RegionIsNeverInFrontOfTheNearPlane) {
     const bool holds = rc::check([] {
         const Scene scene = *anyScene();
         FitState state;
-        const ShadowFit fit = fitLiSPSM(scene.problem(), {}, state);
+        const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
         RC_ASSERT(fit.reason != FitReason::WarpClamped || isLostInRounding(scene, state));
     });
     EXPECT_TRUE(holds);
@@ -125,7 +126,7 @@ TEST(LiSPSM, OfALampAcrossAGroundBalancesTheGroundsDepths) {
     scene.light.wsPosition = Vec3(0.0, 40.0, -25.0);
     scene.light.outerHalfAngle = 60.0 * std::numbers::pi / 180.0;
     FitState state;
-    const ShadowFit fit = fitLiSPSM(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
     ASSERT_EQ(fit.reason, FitReason::None);
     EXPECT_NEAR(denominatorAt(fit, FarDepth) / denominatorAt(fit, NearDepth),
                 std::sqrt(FarDepth / NearDepth), 0.01);
@@ -135,7 +136,7 @@ TEST(LiSPSM, OrthographicViewerHasAUniformMap) {
     Scene scene = outdoors();
     scene.viewer.clipFromView = orthographic(20.0, 20.0, 0.1, 100.0);
     FitState state;
-    const ShadowFit fit = fitLiSPSM(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::None);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }

@@ -3,9 +3,9 @@
 
 #include "fit/core/Fit.h"
 #include "fit/core/Warp.h"
+#include "fit/rule/WarpSearch.h"
 #include "fit/technique/Optimal.h"
 #include "fit/technique/Uniform.h"
-#include "fit/technique/WarpSearch.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -39,8 +39,8 @@ Region randomRegion(Dice& dice) {
 /// Runs `look` on the context of a scene, and gives the fit with the warp that it returns.
 template <typename Look>
 ShadowFit withContext(const Scene& scene, FitState& state, const Look& look) {
-    return fitWithRule(scene.problem(), state, [&](const WarpContext& context) {
-        return WarpChoice{look(context), FitReason::None};
+    return fitWithRule(scene.problem(), state, [&](const WarpContext& context, RuleState memory) {
+        return WarpChoice{look(context, memory), FitReason::None};
     });
 }
 
@@ -187,12 +187,12 @@ TEST(TexelExtent, TheMapOfAPointHasNoSidesAndThatOfASegmentOne) {
 RC_GTEST_PROP(Optimal, IsNeverExpectedToBeWorseThanUniform, ()) {
     const Scene scene = *anyScene();
     FitState state;
-    const ShadowFit fit = fitOptimal(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), OptimalOptions{}, state);
     if (!fit.hasMap()) return;
     FitState other;
     double cost = 0.0;
-    (void)withContext(scene, other, [&](const WarpContext& context) {
-        WarpSearch search(context, 64);
+    (void)withContext(scene, other, [&](const WarpContext& context, RuleState memory) {
+        WarpSearch search(context, 64, memory);
         if (search.usable()) cost = search(search.spread(fit.liWarp));
         return Vec2(0.0, 0.0);
     });
@@ -211,13 +211,13 @@ TEST(Optimal, FindsWhatBruteForceFinds) {
                      std::cos(elevation) * std::cos(turn));
             FitState state;
             FitState generous;
-            const ShadowFit fit = fitOptimal(scene.problem(), {}, state);
-            const ShadowFit best =
-                fitOptimal(scene.problem(), {.samples = 64, .evaluations = 400}, generous);
+            const ShadowFit fit = fitMap(scene.problem(), OptimalOptions{}, state);
+            const ShadowFit best = fitMap(
+                scene.problem(), OptimalOptions{.samples = 64, .evaluations = 400}, generous);
             ASSERT_TRUE(fit.hasMap()) << fit.reason;
             FitState other;
-            (void)withContext(scene, other, [&](const WarpContext& context) {
-                WarpSearch search(context, 64);
+            (void)withContext(scene, other, [&](const WarpContext& context, RuleState memory) {
+                WarpSearch search(context, 64, memory);
                 EXPECT_TRUE(search.usable());
                 const double least = bruteForce(search);
                 const double ratio = search(search.spread(fit.liWarp)) / least;
@@ -237,14 +237,14 @@ TEST(Optimal, JudgesByTheApplicationsPointsWhereThereAreAny) {
     // Points at the far end alone leave nothing to gain from favouring the near.
     const Scene scene = outdoors();
     FitState state;
-    const ShadowFit fit = fitOptimal(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), OptimalOptions{}, state);
     std::vector<VisiblePoint> points;
     for (int i = 0; i < 32; ++i)
         points.push_back({Vec3(-4.0 + 0.25 * i, -2.0, -26.0), Vec3::UnitY()});
     ShadowProblem problem = scene.problem();
     problem.visiblePoints = points;
     FitState other;
-    const ShadowFit far = fitOptimal(problem, {}, other);
+    const ShadowFit far = fitMap(problem, OptimalOptions{}, other);
     ASSERT_TRUE(fit.hasMap());
     ASSERT_TRUE(far.hasMap());
     const Vec3 wsNear(0.0, -2.0, -5.0);
@@ -262,7 +262,8 @@ TEST(Optimal, GarbageOptionsGiveAFiniteMap) {
     for (const int samples : {-5, 0, 1, 1 << 30})
         for (const int evaluations : {-5, 0, 1, 3, 9}) {
             FitState state;
-            const ShadowFit fit = fitOptimal(outdoors().problem(), {samples, evaluations}, state);
+            const ShadowFit fit =
+                fitMap(outdoors().problem(), OptimalOptions{samples, evaluations}, state);
             ASSERT_TRUE(fit.hasMap()) << samples << ", " << evaluations;
             ASSERT_TRUE(fit.clipFromWorld.allFinite());
         }
@@ -285,14 +286,14 @@ TEST(Optimal, FollowingFindsWhatSearchingAnewFinds) {
                 const double heading = 0.0035 * (frame - 60);
                 scene.viewer.viewFromWorld =
                     lookAlong(Vec3::Zero(), Vec3(std::sin(heading), -0.1, -std::cos(heading)));
-                fit = fitOptimal(scene.problem(), {}, followed);
+                fit = fitMap(scene.problem(), OptimalOptions{}, followed);
                 ASSERT_TRUE(fit.hasMap()) << fit.reason;
             }
             FitState fresh;
-            const ShadowFit anew = fitOptimal(scene.problem(), {}, fresh);
+            const ShadowFit anew = fitMap(scene.problem(), OptimalOptions{}, fresh);
             FitState other;
-            (void)withContext(scene, other, [&](const WarpContext& context) {
-                WarpSearch search(context, 64);
+            (void)withContext(scene, other, [&](const WarpContext& context, RuleState memory) {
+                WarpSearch search(context, 64, memory);
                 const double ratio =
                     search(search.spread(fit.liWarp)) / search(search.spread(anew.liWarp));
                 sum += std::log(ratio);
@@ -312,8 +313,8 @@ TEST(Optimal, ACameraCutIsFollowedAtOnce) {
     before.addBody({Vec3(2.0, -1.0, 9.0), Vec3(1.0, 1.0, 1.0)});
     FitState fresh;
     FitState used;
-    (void)fitOptimal(before.problem(), {}, used);
-    const ShadowFit a = fitOptimal(scene.problem(), {}, fresh);
-    const ShadowFit b = fitOptimal(scene.problem(), {}, used);
+    (void)fitMap(before.problem(), OptimalOptions{}, used);
+    const ShadowFit a = fitMap(scene.problem(), OptimalOptions{}, fresh);
+    const ShadowFit b = fitMap(scene.problem(), OptimalOptions{}, used);
     EXPECT_EQ(a.liWarp, b.liWarp);
 }

@@ -2,6 +2,7 @@
 #include "fit/technique/PlaneOptimal.h"
 
 #include "fit/Oracle.h"
+#include "fit/Trials.h"
 
 #include "fit/geometry/Polygon2.h"
 #include "fit/problem/TexelInPixels.h"
@@ -22,8 +23,8 @@ constexpr double Degree = std::numbers::pi / 180.0;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Ground = -2.0;
-const PlaneOptimalOptions Exact = {.wsNormal = Vec3::UnitY(), .offset = -Ground, .exact = true};
-const PlaneOptimalOptions Clamped = {.wsNormal = Vec3::UnitY(), .offset = -Ground, .exact = false};
+const PlaneOptimalOptions Exact = {.wsPlane = Vec4(0.0, 1.0, 0.0, -Ground), .exact = true};
+const PlaneOptimalOptions Clamped = {.wsPlane = Vec4(0.0, 1.0, 0.0, -Ground), .exact = false};
 
 /// A ground, one bar over it, and a viewer that looks down on both through a map-sized viewport.
 Scene table(const Vec3& lightDirection) {
@@ -85,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(, PlaneOptimal, testing::ValuesIn(hardCases()), ByName{
 TEST_P(PlaneOptimal, APixelOfThePlaneIsATexel) {
     const Scene& scene = GetParam().scene;
     FitState state;
-    const ShadowFit fit = fitPlaneOptimal(scene.problem(), Exact, state);
+    const ShadowFit fit = fitMap(scene.problem(), Exact, state);
     ASSERT_EQ(fit.reason, FitReason::None);
     const Mat4 viewClip = scene.viewer.clipFromView * scene.viewer.viewFromWorld;
     const bool mirrored = scene.viewer.viewFromWorld.determinant() < 0.0;
@@ -113,7 +114,7 @@ TEST_P(PlaneOptimal, APixelOfThePlaneIsATexel) {
 TEST_P(PlaneOptimal, RowsAreChongsMatrix) {
     const Scene& scene = GetParam().scene;
     FitState state;
-    const ShadowFit fit = fitPlaneOptimal(scene.problem(), Exact, state);
+    const ShadowFit fit = fitMap(scene.problem(), Exact, state);
     const Vec4 light = homogeneousLight(scene.light);
     const Vec4 plane(0.0, 1.0, 0.0, -Ground);
     Mat4 expected = scene.viewer.clipFromView * scene.viewer.viewFromWorld *
@@ -128,7 +129,7 @@ TEST_P(PlaneOptimal, RowsAreChongsMatrix) {
 TEST_P(PlaneOptimal, ClampedServesEverything) {
     const Scene& scene = GetParam().scene;
     FitState state;
-    const ShadowFit fit = fitPlaneOptimal(scene.problem(), Clamped, state);
+    const ShadowFit fit = fitMap(scene.problem(), Clamped, state);
     EXPECT_LE(fit.reason, FitReason::WarpClamped);
     EXPECT_EQ(fit.servedCount, 0U);
     if (fit.reason != FitReason::None) return;
@@ -150,7 +151,7 @@ TEST(PlaneOptimalExact, SaysWhatItCannotServe) {
         PlaneOptimalOptions options = groundOf(scene.problem());
         options.exact = true;
         FitState state;
-        const ShadowFit fit = fitPlaneOptimal(scene.problem(), options, state);
+        const ShadowFit fit = fitMap(scene.problem(), options, state);
         RC_LOG() << "reason: " << toString(fit.reason) << "\n";
         if (!fit.hasMap()) return;
         RC_ASSERT(fit.clipFromWorld.allFinite());
@@ -190,13 +191,13 @@ TEST(PlaneOptimalExact, HasNoHiddenUnit) {
         PlaneOptimalOptions options = groundOf(scene.problem());
         options.exact = true;
         FitState state;
-        const ShadowFit fit = fitPlaneOptimal(scene.problem(), options, state);
+        const ShadowFit fit = fitMap(scene.problem(), options, state);
         for (const double factor : {1024.0, 1.0 / 1024.0}) {
             const Scene other = scaled(scene, factor);
             PlaneOptimalOptions moved = options;
-            moved.offset *= factor;
+            moved.wsPlane.w() *= factor;
             FitState otherState;
-            const ShadowFit same = fitPlaneOptimal(other.problem(), moved, otherState);
+            const ShadowFit same = fitMap(other.problem(), moved, otherState);
             RC_ASSERT(same.reason == fit.reason);
             RC_ASSERT(same.servedCount == fit.servedCount);
         }
@@ -207,13 +208,15 @@ TEST(PlaneOptimalExact, HasNoHiddenUnit) {
 TEST(PlaneOptimalExact, UniformWhereThePlaneIsNotSeen) {
     const auto expectUniform = [](const Scene& scene, const PlaneOptimalOptions& options) {
         FitState state;
-        const ShadowFit fit = fitPlaneOptimal(scene.problem(), options, state);
+        const ShadowFit fit = fitMap(scene.problem(), options, state);
         EXPECT_EQ(fit.reason, FitReason::PlaneCannotServe);
         EXPECT_EQ(fit.servedCount, 0U);
         EXPECT_EQ(fit.liWarp, Vec2::Zero());
     };
     const auto plane = [](const Vec3& normal, double offset) {
-        return PlaneOptimalOptions{.wsNormal = normal, .offset = offset, .exact = true};
+        PlaneOptimalOptions options{.exact = true};
+        options.wsPlane << normal, offset;
+        return options;
     };
     const Scene scene = table(Vec3(1.0, -1.0, 0.0));
     expectUniform(scene, plane(Vec3(1.0, 1.0, 0.0), 5.0));   // the light is in the plane
@@ -233,7 +236,7 @@ TEST(PlaneOptimalClamped, FadesAsTheLightTurnsIntoThePlane) {
         scene.casters.add({Vec3(-1.0, Ground + 0.5, -5.0), Vec3(0.3, 0.5, 0.3)});
         scene.casters.add({Vec3(2.0, Ground + 0.5, -5.0), Vec3(0.3, 0.5, 0.3)});
         FitState state;
-        const ShadowFit fit = fitPlaneOptimal(scene.problem(), Clamped, state);
+        const ShadowFit fit = fitMap(scene.problem(), Clamped, state);
         EXPECT_EQ(fit.reason, FitReason::PlaneCannotServe) << elevation;
         EXPECT_LE(fit.liWarp.norm(), 10.0 * std::pow(std::abs(elevation) / 0.05, 2.0)) << elevation;
     }

@@ -47,7 +47,7 @@ TEST(PostProjectiveCube, TheDenominatorIsTheDepthAtWhichTheRayLeavesTheView) {
         for (std::size_t i = 0; i < parts.count; ++i) {
             FitState state;
             const ShadowFit fit =
-                fitPostProjectiveFace(problemOf(whole, parts.parts[i]), {.slideBack = 0.0}, state);
+                fitMap(problemOf(whole, parts.parts[i]), CubeOptions{.slideBack = 0.0}, state);
             if (fit.reason != FitReason::None) continue;
             const LightImage image(scene.light);
             double ratio = 0.0;
@@ -72,7 +72,7 @@ TEST(PostProjectiveCube, TheDenominatorIsTheDepthAtWhichTheRayLeavesTheView) {
 TEST(PostProjectiveCube, IsUniformWithoutAPart) {
     const Scene scene = outdoors();
     FitState state;
-    EXPECT_EQ(fitPostProjectiveFace(scene.problem(), {}, state).liWarp, Vec2::Zero());
+    EXPECT_EQ(fitMap(scene.problem(), CubeOptions{}, state).liWarp, Vec2::Zero());
 }
 
 TEST(PostProjectiveCube, IsUniformOnAFaceOfOneDepth) {
@@ -85,7 +85,7 @@ TEST(PostProjectiveCube, IsUniformOnAFaceOfOneDepth) {
     const LightPartition parts = facesOfView(scene.viewer, scene.light, scratch);
     ASSERT_EQ(parts.count, 1U);
     FitState state;
-    const ShadowFit fit = fitPostProjectiveFace(problemOf(whole, parts.parts[0]), {}, state);
+    const ShadowFit fit = fitMap(problemOf(whole, parts.parts[0]), CubeOptions{}, state);
     if (fit.hasMap()) {
         EXPECT_LT(fit.liWarp.norm(), 1e-9);
     }

@@ -6,7 +6,7 @@
 #include "fit/focus/LightImage.h"
 #include "fit/geometry/Cone.h"
 #include "fit/geometry/Polygon2.h"
-#include "fit/technique/ViewDepth.h"
+#include "fit/rule/ViewDepth.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ std::vector<Vec3> cornersOf(const BoxSet& set) {
     looks along the axis of the smallest cone. */
 double misfit(const Scene& scene, double slideBackFactor) {
     FitState state;
-    const ShadowFit fit = fitPsm(scene.problem(), {.slideBack = slideBackFactor}, state);
+    const ShadowFit fit = fitMap(scene.problem(), PsmOptions{.slideBack = slideBackFactor}, state);
     EXPECT_EQ(fit.reason, FitReason::None);
     const double n = state.region.vsReceiverNear;
     const double f = state.region.vsReceiverFar;
@@ -138,11 +138,11 @@ TEST(Psm, InverseLightHasTheSameWarp) {
         const Scene behind = bodies(direction);
         const Scene inFront = bodies(-direction);
         FitState state;
-        const auto a =
-            denominators(fitPsm(behind.problem(), {}, state), cornersOf(behind.receivers));
+        const auto a = denominators(fitMap(behind.problem(), PsmOptions{}, state),
+                                    cornersOf(behind.receivers));
         FitState other;
-        const auto b =
-            denominators(fitPsm(inFront.problem(), {}, other), cornersOf(behind.receivers));
+        const auto b = denominators(fitMap(inFront.problem(), PsmOptions{}, other),
+                                    cornersOf(behind.receivers));
         for (std::size_t i = 0; i < a.size(); ++i)
             EXPECT_NEAR(a[i], b[i], 1e-9 * a[i]);
     }
@@ -154,7 +154,7 @@ TEST(Psm, WarpIsSteadyWhereTheLightPassesTheViewer) {
     for (const double step : {-1e-3, -1e-7, -1e-12, 0.0, 1e-12, 1e-7, 1e-3}) {
         const Scene scene = bodies(Vec3(0.3, -1.0, step));
         FitState state;
-        const ShadowFit fit = fitPsm(scene.problem(), {}, state);
+        const ShadowFit fit = fitMap(scene.problem(), PsmOptions{}, state);
         const Vec2 warp = fit.liWarp;
         if (step > -1e-3) {
             EXPECT_NEAR(warp.norm(), before.norm(), 0.01 * before.norm()) << step;
@@ -167,7 +167,7 @@ TEST(Psm, RowWIsTheDepthFromTheVirtualViewerUnderASideLight) {
     for (const double slideBack : {0.0, 0.25, 1.0}) {
         const Scene scene = bodies(Vec3(0.2, -1.0, 0.0));
         FitState state;
-        const ShadowFit fit = fitPsm(scene.problem(), {.slideBack = slideBack}, state);
+        const ShadowFit fit = fitMap(scene.problem(), PsmOptions{.slideBack = slideBack}, state);
         const double back = slideBack * std::sqrt(NearDepth * FarDepth);
         EXPECT_NEAR(state.region.vsReceiverNear, NearDepth, 1e-9);
         EXPECT_NEAR(state.region.vsReceiverFar, FarDepth, 1e-9);
@@ -183,7 +183,7 @@ TEST(Psm, RegionIsInFrontOfTheLightCamera) {
     const bool holds = rc::check([] {
         const Scene scene = *anyScene();
         FitState state;
-        const ShadowFit fit = fitPsm(scene.problem(), {}, state);
+        const ShadowFit fit = fitMap(scene.problem(), PsmOptions{}, state);
         if (!fit.hasMap()) return;
         for (const Vec2& q : state.region.liHull)
             RC_ASSERT(1.0 + fit.liWarp.dot(q - fit.liCentre) > 0.0);
@@ -195,7 +195,7 @@ TEST(Psm, LampAtTheEyeSeesTheViewersPicture) {
     Scene scene = lamp(Vec3::Zero());
     scene.light.wsDirection = Vec3(0.3, -0.2, -1.0);
     FitState state;
-    const ShadowFit fit = fitPsm(scene.problem(), {.slideBack = 0.0}, state);
+    const ShadowFit fit = fitMap(scene.problem(), PsmOptions{.slideBack = 0.0}, state);
     ASSERT_EQ(fit.reason, FitReason::None);
     const std::vector<Vec3> points = cornersOf(scene.receivers);
     const auto w = denominators(fit, points);
@@ -206,7 +206,7 @@ TEST(Psm, LampAtTheEyeSeesTheViewersPicture) {
 TEST(Psm, MinersLampIsUniform) {
     const Scene scene = bodies(Vec3(0.0, 0.0, -1.0));
     FitState state;
-    const ShadowFit fit = fitPsm(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), PsmOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::LightAlongView);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }
@@ -215,7 +215,7 @@ TEST(Psm, OrthographicViewerHasAUniformMap) {
     Scene scene = outdoors();
     scene.viewer.clipFromView = orthographic(20.0, 20.0, 0.1, 100.0);
     FitState state;
-    const ShadowFit fit = fitPsm(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), PsmOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::None);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }

@@ -53,14 +53,14 @@ void expectWholeTexels(const Vec3& start) {
                          Vec3(dice.in(0.2, 2.0), 2.0, dice.in(0.2, 2.0))});
     FitState state;
     Walk before(start, 0.0, -0.1, world);
-    ShadowFit fitBefore = fitUniform(before.problem(), {.stable = true}, state);
+    ShadowFit fitBefore = fitMap(before.problem(), UniformOptions{.stable = true}, state);
     ASSERT_EQ(fitBefore.reason, FitReason::None);
     double worst = 0.0;
     double farthest = 0.0;
     for (int i = 1; i < 400; ++i) {
         const Vec3 eye = start + Vec3(0.31 * i, 0.2 * std::sin(0.1 * i), -0.17 * i);
         const Walk now(eye, 0.05 * i, -0.1 + 0.3 * std::sin(0.07 * i), world);
-        const ShadowFit fit = fitUniform(now.problem(), {.stable = true}, state);
+        const ShadowFit fit = fitMap(now.problem(), UniformOptions{.stable = true}, state);
         ASSERT_EQ(fit.reason, FitReason::None);
         for (int k = 0; k < 20; ++k) {
             const Vec3 ws = eye + 50.0 * dice.cube();
@@ -91,7 +91,7 @@ TEST(StableUniform, ServesEverythingInAnyScene) {
     const bool holds = rc::check([&] {
         const Scene scene = *anyScene();
         FitState state;
-        const ShadowFit fit = fitUniform(scene.problem(), {.stable = true}, state);
+        const ShadowFit fit = fitMap(scene.problem(), UniformOptions{.stable = true}, state);
         RC_ASSERT(fit.reason != FitReason::PlaneCannotServe);
         if (!fit.hasMap() || fit.reason == FitReason::ViewWithoutEnd) return;
         RC_ASSERT(fit.liWarp.norm() == 0.0);
@@ -107,10 +107,10 @@ TEST(StableUniform, ASpotsMapDoesNotDependOnTheViewer) {
     scene.light.wsPosition = Vec3(0.0, 12.0, -15.0);
     scene.light.outerHalfAngle = 50.0 * Degree;
     FitState state;
-    const ShadowFit before = fitUniform(scene.problem(), {.stable = true}, state);
+    const ShadowFit before = fitMap(scene.problem(), UniformOptions{.stable = true}, state);
     ASSERT_EQ(before.reason, FitReason::None);
     scene.viewer.viewFromWorld = lookAlong(Vec3(3.0, 1.0, -2.0), Vec3(-0.3, -0.4, -1.0));
-    const ShadowFit after = fitUniform(scene.problem(), {.stable = true}, state);
+    const ShadowFit after = fitMap(scene.problem(), UniformOptions{.stable = true}, state);
     ASSERT_EQ(after.reason, FitReason::None);
     Dice dice(2);
     for (int i = 0; i < 50; ++i) {
@@ -127,7 +127,7 @@ TEST(StableUniform, AViewWithoutEndIsFocused) {
     scene.viewer.clipFromView =
         perspective(60.0 * Degree, 1.5, 0.1, std::numeric_limits<double>::infinity());
     FitState state;
-    const ShadowFit fit = fitUniform(scene.problem(), {.stable = true}, state);
+    const ShadowFit fit = fitMap(scene.problem(), UniformOptions{.stable = true}, state);
     EXPECT_EQ(fit.reason, FitReason::ViewWithoutEnd);
-    EXPECT_EQ(fit.clipFromWorld, fitUniform(scene.problem(), state).clipFromWorld);
+    EXPECT_EQ(fit.clipFromWorld, fitMap(scene.problem(), UniformOptions{}, state).clipFromWorld);
 }

@@ -47,7 +47,7 @@ TEST(Trapezoidal, FocusPointLiesOnTheEightyPercentLine) {
             const double sine = std::sin(angle);
             const Scene scene = corridor(Vec3(0.0, -sine, -std::cos(angle)));
             FitState state;
-            const ShadowFit fit = fitTrapezoidal(scene.problem(), options, state);
+            const ShadowFit fit = fitMap(scene.problem(), options, state);
             ASSERT_EQ(fit.reason, FitReason::None) << degrees;
             const LightImage image(scene.light);
             const Vec2 direction =
@@ -73,7 +73,7 @@ TEST(Trapezoidal, ApexIsAtThePapersEta) {
     // frustum's image starts at the viewer and ends at its far depth.
     const Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
     FitState state;
-    const ShadowFit fit = fitTrapezoidal(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), TrapezoidalOptions{}, state);
     const double lambda = state.region.vsReceiverFar;
     const double d = TrapezoidalOptions{}.focusDistance * lambda;
     const double xi = -0.6;
@@ -88,8 +88,8 @@ TEST(Trapezoidal, ApexIsAtThePapersEta) {
 TEST(Trapezoidal, ShareThatIsThereAlreadyNeedsNoWarp) {
     const Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
     FitState state;
-    const ShadowFit fit =
-        fitTrapezoidal(scene.problem(), {.focusDistance = 0.85, .focusShare = 0.8}, state);
+    const ShadowFit fit = fitMap(
+        scene.problem(), TrapezoidalOptions{.focusDistance = 0.85, .focusShare = 0.8}, state);
     EXPECT_EQ(fit.reason, FitReason::None);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }
@@ -99,7 +99,7 @@ TEST(Trapezoidal, FrustumHoldsTheRegion) {
     const bool holds = rc::check([] {
         const Scene scene = *anyScene();
         FitState state;
-        const ShadowFit fit = fitTrapezoidal(scene.problem(), {}, state);
+        const ShadowFit fit = fitMap(scene.problem(), TrapezoidalOptions{}, state);
         RC_ASSERT(fit.reason != FitReason::WarpClamped || isLostInRounding(scene, state));
     });
     EXPECT_TRUE(holds);
@@ -108,7 +108,7 @@ TEST(Trapezoidal, FrustumHoldsTheRegion) {
 TEST(Trapezoidal, MinersLampIsUniform) {
     const Scene scene = corridor(Vec3(0.0, 0.0, -1.0));
     FitState state;
-    const ShadowFit fit = fitTrapezoidal(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), TrapezoidalOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::LightAlongView);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }
@@ -117,7 +117,7 @@ TEST(Trapezoidal, OrthographicViewerHasAUniformMap) {
     Scene scene = outdoors();
     scene.viewer.clipFromView = orthographic(20.0, 20.0, 0.1, 100.0);
     FitState state;
-    const ShadowFit fit = fitTrapezoidal(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), TrapezoidalOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::None);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }

@@ -12,7 +12,7 @@ using namespace Lixel::Test;
 TEST(Uniform, HasNoWarp) {
     const Scene scene = outdoors();
     FitState state;
-    const ShadowFit fit = fitUniform(scene.problem(), state);
+    const ShadowFit fit = fitMap(scene.problem(), UniformOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::None);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
     EXPECT_EQ(fit.clipFromWorld.row(3), Vec4(0.0, 0.0, 0.0, 1.0).transpose());
@@ -21,7 +21,7 @@ TEST(Uniform, HasNoWarp) {
 TEST(Uniform, TexelsAreOfOneSizeAcrossTheLight) {
     const Scene scene = outdoors();
     FitState state;
-    const ShadowFit fit = fitUniform(scene.problem(), state);
+    const ShadowFit fit = fitMap(scene.problem(), UniformOptions{}, state);
     const Vec3 right = fit.lsFromWs.row(0).transpose();
     const Vec3 up = fit.lsFromWs.row(1).transpose();
     Dice dice(5);
@@ -50,7 +50,7 @@ TEST(Uniform, FillsTheMapWithARectangularShadow) {
     scene.receivers.add({Vec3::Zero(), Vec3(100.0, 0.0, 100.0)});
     scene.casters.add({Vec3(1.0, 2.0, 0.5), Vec3(2.0, 0.5, 1.0)});
     FitState state;
-    const ShadowFit fit = fitUniform(scene.problem(), state);
+    const ShadowFit fit = fitMap(scene.problem(), UniformOptions{}, state);
     ASSERT_EQ(fit.reason, FitReason::None);
     // And what rounding of positions to float needs, here less than a thousandth of a texel.
     const double border = scene.filterRadius + 1.0 + 1.0 / 64.0;

@@ -88,7 +88,7 @@ TEST(Xpsm, DenominatorGrowsWithDepthByCoef) {
             const Scene scene = corridor(lightAt(degrees * std::numbers::pi / 180.0));
             const XpsmOptions options = literal(strength);
             FitState state;
-            const ShadowFit fit = fitXpsm(scene.problem(), options, state);
+            const ShadowFit fit = fitMap(scene.problem(), options, state);
             ASSERT_EQ(fit.reason, FitReason::None) << degrees;
             for (const double depth : {1.0, NearDepth, 20.0, FarDepth})
                 EXPECT_NEAR(denominatorAt(fit, depth), 1.0 + coefOf(options) * depth, 1e-9)
@@ -100,7 +100,7 @@ TEST(Xpsm, WarpOfASpotRunsAlongTheImageOfTheView) {
     for (const Vec3& position : {Vec3(0.0, 15.0, -20.0), Vec3(8.0, 12.0, -10.0)}) {
         const Scene scene = lampedCorridor(position, Vec3(0.0, 0.0, -20.0) - position);
         FitState state;
-        const ShadowFit fit = fitXpsm(scene.problem(), literal(4.0), state);
+        const ShadowFit fit = fitMap(scene.problem(), literal(4.0), state);
         ASSERT_TRUE(fit.hasMap()) << fit.reason;
         // The view line's image by two of its points.
         const LightImage image(scene.light);
@@ -117,7 +117,7 @@ TEST(Xpsm, DenominatorsOfASpotSpanNoMoreThanTheDepthsDo) {
             const Scene scene = lampedCorridor(position, Vec3(0.0, 0.0, -20.0) - position);
             const XpsmOptions options = literal(strength);
             FitState state;
-            const ShadowFit fit = fitXpsm(scene.problem(), options, state);
+            const ShadowFit fit = fitMap(scene.problem(), options, state);
             ASSERT_TRUE(fit.hasMap()) << fit.reason;
             const WarpExtent extent =
                 warpExtent(state.region.liHull, fit.liCentre, fit.liWarp, 0.0);
@@ -133,7 +133,7 @@ TEST(Xpsm, BoundLeavesEpsilonWOnTheFocusRegion) {
     for (const double epsilonW : {0.3, 0.7, 0.95}) {
         const Scene scene = corridor(Vec3(0.0, -0.3, 1.0), 3.0);
         FitState state;
-        const ShadowFit fit = fitXpsm(scene.problem(), literal(4.0, epsilonW), state);
+        const ShadowFit fit = fitMap(scene.problem(), literal(4.0, epsilonW), state);
         ASSERT_EQ(fit.reason, FitReason::WarpClamped);
         EXPECT_NEAR(leastDenominator(fit, state, imageOfOrigin(scene)), epsilonW, 1e-9);
     }
@@ -143,7 +143,7 @@ TEST(Xpsm, MinersLampHasNoWarp) {
     // §3.11: the light along the view.
     const Scene scene = corridor(Vec3(0.0, 0.0, -1.0));
     FitState state;
-    const ShadowFit fit = fitXpsm(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), XpsmOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::LightAlongView);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }
@@ -151,7 +151,7 @@ TEST(Xpsm, MinersLampHasNoWarp) {
 TEST(Xpsm, DuelingFrustaHaveNoWarpWhenExactlyOpposed) {
     Scene scene = corridor(Vec3(0.0, 0.0, 1.0));
     FitState state;
-    const ShadowFit fit = fitXpsm(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), XpsmOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::LightAlongView);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }
@@ -159,7 +159,7 @@ TEST(Xpsm, DuelingFrustaHaveNoWarpWhenExactlyOpposed) {
 TEST(Xpsm, LampInTheViewersHandHasNoWarp) {
     const Scene scene = lampedCorridor(Vec3::Zero(), Vec3(0.0, 0.0, -1.0));
     FitState state;
-    const ShadowFit fit = fitXpsm(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), XpsmOptions{}, state);
     ASSERT_TRUE(fit.hasMap()) << fit.reason;
     EXPECT_LT(fit.liWarp.norm(), 1e-12);
 }
@@ -172,7 +172,7 @@ TEST(Xpsm, WarpFadesInAroundGusevsThreshold) {
         const Scene scene = corridor(lightAt(std::asin(sine)), 1.0, 1.5);
         FitState state;
         const XpsmOptions options = literal(1.0);
-        const ShadowFit fit = fitXpsm(scene.problem(), options, state);
+        const ShadowFit fit = fitMap(scene.problem(), options, state);
         // Unfaded: eq. (2) about the viewer, with §3.2's length, moved to the region's centre.
         const LightImage image(scene.light);
         const Vec2 direction = image.lsFromDirection(Vec3(0.0, 0.0, -1.0)).head<2>().normalized();
@@ -187,12 +187,12 @@ TEST(Xpsm, CasterBehindViewerDampensTheWarpButDoesNotUndoIt) {
     // §2.2, the back projection interval: receivers in view are shadowed from behind the viewer.
     Scene scene = corridor(Vec3(0.0, -0.4, 1.0), 3.0);
     FitState state;
-    const ShadowFit fit = fitXpsm(scene.problem(), literal(4.0), state);
+    const ShadowFit fit = fitMap(scene.problem(), literal(4.0), state);
     EXPECT_EQ(fit.reason, FitReason::WarpClamped);
     EXPECT_GT(fit.liWarp.norm(), 0.0);
     scene.casters.add({Vec3(0.0, 2.0, 6.0), Vec3(30.0, 30.0, 0.5)});
     scene.light.wsDirection = Vec3(0.0, -0.4, -1.0);
-    const ShadowFit behind = fitXpsm(scene.problem(), literal(4.0), state);
+    const ShadowFit behind = fitMap(scene.problem(), literal(4.0), state);
     ASSERT_TRUE(behind.hasMap());
     EXPECT_GT(behind.liWarp.norm(), 0.0);
 }
@@ -200,9 +200,9 @@ TEST(Xpsm, CasterBehindViewerDampensTheWarpButDoesNotUndoIt) {
 TEST(Xpsm, WithoutStrengthIsUniform) {
     const Scene scene = outdoors();
     FitState state;
-    const ShadowFit uniform = fitUniform(scene.problem(), state);
+    const ShadowFit uniform = fitMap(scene.problem(), UniformOptions{}, state);
     FitState other;
-    const ShadowFit xpsm = fitXpsm(scene.problem(), {.strength = 0.0}, other);
+    const ShadowFit xpsm = fitMap(scene.problem(), XpsmOptions{.strength = 0.0}, other);
     EXPECT_EQ(xpsm.clipFromWorld, uniform.clipFromWorld);
     EXPECT_EQ(xpsm.reason, FitReason::None);
 }
@@ -211,7 +211,7 @@ TEST(Xpsm, OfAnOrthographicViewerIsUniform) {
     Scene scene = outdoors();
     scene.viewer.clipFromView = orthographic(10.0, 10.0, 0.1, 100.0);
     FitState state;
-    const ShadowFit fit = fitXpsm(scene.problem(), {}, state);
+    const ShadowFit fit = fitMap(scene.problem(), XpsmOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::None);
     EXPECT_EQ(fit.liWarp, Vec2::Zero());
 }
@@ -220,11 +220,11 @@ TEST(Xpsm, OfAMirroredViewIsTheSame) {
     // A viewer with a mirror sees the same points from the same place.
     Scene scene = outdoors();
     FitState state;
-    const ShadowFit plain = fitXpsm(scene.problem(), literal(2.0), state);
+    const ShadowFit plain = fitMap(scene.problem(), literal(2.0), state);
     scene.viewer.viewFromWorld =
         Vec4(-1.0, 1.0, 1.0, 1.0).asDiagonal() * scene.viewer.viewFromWorld;
     FitState other;
-    const ShadowFit mirrored = fitXpsm(scene.problem(), literal(2.0), other);
+    const ShadowFit mirrored = fitMap(scene.problem(), literal(2.0), other);
     EXPECT_LT((mirrored.clipFromWorld - plain.clipFromWorld).norm(),
               1e-9 * plain.clipFromWorld.norm());
 }
@@ -235,9 +235,10 @@ TEST(Xpsm, GarbageOptionsGiveAFiniteMap) {
             const Scene scene = outdoors();
             FitState state;
             for (const bool guarded : {true, false}) {
-                const ShadowFit fit = fitXpsm(
+                const ShadowFit fit = fitMap(
                     scene.problem(),
-                    {.strength = strength, .epsilonW = epsilonW, .guarded = guarded}, state);
+                    XpsmOptions{.strength = strength, .epsilonW = epsilonW, .guarded = guarded},
+                    state);
                 ASSERT_TRUE(fit.hasMap()) << strength << ", " << epsilonW;
                 ASSERT_TRUE(fit.clipFromWorld.allFinite());
                 for (const Vec2& q : state.region.liHull)
@@ -253,7 +254,7 @@ RC_GTEST_PROP(Xpsm, IsGusevsAlgorithmMovedToTheCentre, ()) {
     RC_PRE(scene.viewer.clipFromView(3, 3) == 0.0);
     FitState state;
     const XpsmOptions options = literal(2.0);
-    const ShadowFit fit = fitXpsm(scene.problem(), options, state);
+    const ShadowFit fit = fitMap(scene.problem(), options, state);
     if (!fit.hasMap()) return;
     const FocusRegion& region = state.region;
     const LightImage image(scene.light);

@@ -1,7 +1,7 @@
 // A ball above the ground, and the shadow that Lixel gives it: application [SCENE_MANAGER_TYPE]
 #include <Lixel/headless/Headless.h>
 #include <Lixel/material/ShadowMaterials.h>
-#include <Lixel/setup/XPSMShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
 #include <Ogre.h>
 #include <iostream>
 

@@ -1,5 +1,5 @@
 // The search from frame to frame, which goes on from where the last one ended.
-#include "fit/technique/WarpSearch.h"
+#include "fit/rule/WarpSearch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/core/Fit.h"
+#include "fit/core/WarpContext.h"
 
 /** Searching for the warp that makes texels smallest where the viewer looks.
 
@@ -25,7 +25,7 @@ public:
     static constexpr double ProbedSpread = 0.7;
 
     /// Samples the view. @param samples how many to keep at most
-    WarpSearch(const WarpContext& context, std::size_t samples);
+    WarpSearch(const WarpContext& context, std::size_t samples, RuleState state);
 
     /// Whether there is anything to judge warps by.
     bool usable() const { return mUniform > 0.0; }
@@ -91,6 +91,7 @@ private:
     void adaptStep(bool improved);
 
     const WarpContext& mContext;
+    std::optional<SearchMemory>& mMemory;
     Polygon2& mHull;
     TexelExtent& mExtent;
     double mUniform = 0.0;

@@ -1,21 +1,13 @@
 #pragma once
 
-#include "fit/core/Fit.h"
+#include "fit/core/WarpContext.h"
 
 /// What rules that warp along the view share: the viewer's depth as the light sees it.
 namespace Lixel {
 
-/// Sine of the angle between view and light below which a warp along the view fades out. Gusev
-/// (2007, step 3) switches at 0.1; the fade is complete at twice that, so that it passes his
-/// threshold at half strength.
-inline constexpr double FadeSine = 0.2;
-
 /// Nearest depth, as a fraction of the farthest, that a warp is balanced with: a receiver that
 /// touches the eye must not pull all texels to itself.
 inline constexpr double LeastNearRatio = 1e-3;
-
-/// 0 at sine 0, 1 from `complete` on, with a continuous slope.
-double fadeBySine(double sine, double complete = FadeSine);
 
 /// Depths in front of the viewer, in world units.
 struct DepthRange {

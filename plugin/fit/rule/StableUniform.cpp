@@ -1,4 +1,4 @@
-#include "fit/technique/StableUniform.h"
+#include "fit/rule/StableUniform.h"
 
 #include "fit/core/MapPlacement.h"
 #include "fit/focus/ViewVolume.h"
@@ -26,17 +26,19 @@ constexpr double Slack = 1e-6;
 constexpr double PositionBorder = 0.25;
 
 struct Sphere {
-    Vec3 wsCentre;
+    Vec3 centre;
     double radius;
 };
 
-/// A sphere around all that is in view of the problem's part; false for a view without end.
-/// It is found in view space, where it stays as it is while the viewer turns and moves.
-bool sphereInView(const ShadowProblem& problem, FitState& state, Sphere& sphere) {
+/// Corners of all that is in view of the problem's part, in view space, where it stays as it is
+/// while the viewer turns and moves; none for a view without end.
+const std::vector<Vec3>& vsCornersInView(const ShadowProblem& problem, RuleScratch& scratch) {
+    std::vector<Vec3>& points = scratch.wsPoints;
+    points.clear();
     ShadowViewer viewer = problem.viewer;
     viewer.viewFromWorld = Mat4::Identity();
     Box box;
-    if (!viewBounds(viewer, box)) return false;
+    if (!viewBounds(viewer, box)) return points;
     ConvexVolume volume = viewVolume(viewer);
     const Mat4& viewFromWorld = problem.viewer.viewFromWorld;
     if (problem.part != nullptr)
@@ -44,13 +46,13 @@ bool sphereInView(const ShadowProblem& problem, FitState& state, Sphere& sphere)
             const Vec3 vsNormal = viewFromWorld.topLeftCorner<3, 3>() * plane.normal;
             volume.add(vsNormal, plane.offset - vsNormal.dot(viewFromWorld.topRightCorner<3, 1>()));
         }
-    std::vector<Vec3>& points = state.scratch.wsPoints;
-    points.clear();
-    clipBox(box, volume, state.scratch.clip, points);
-    if (points.empty()) return false;
+    clipBox(box, volume, scratch.clip, points);
+    return points;
+}
 
-    // The centre is looked for between the middles of the nearer and the farther half, where it is
-    // for all views that are alike on both sides.
+/// A small sphere around points in view space. Its centre is looked for between the middles of the
+/// nearer and the farther half, where it is for all views that are alike on both sides.
+Sphere vsSphereAround(const std::vector<Vec3>& points) {
     double nearest = -points[0].z();
     double farthest = nearest;
     for (const Vec3& p : points) {
@@ -83,16 +85,23 @@ bool sphereInView(const ShadowProblem& problem, FitState& state, Sphere& sphere)
             lower += third;
     }
     const double t = (lower + upper) / 2.0;
-    const double radius = radiusAt(t) * (1.0 + Slack);
-    if (!std::isfinite(radius) || !(radius > 0.0)) return false;
+    return {begin + t * way, radiusAt(t) * (1.0 + Slack)};
+}
 
+/// A sphere around all that is in view of the problem's part; false for a view without end.
+bool sphereInView(const ShadowProblem& problem, RuleState state, Sphere& sphere) {
+    const std::vector<Vec3>& points = vsCornersInView(problem, state.scratch);
+    if (points.empty()) return false;
+    const Sphere vsSphere = vsSphereAround(points);
+    const double radius = vsSphere.radius;
+    if (!std::isfinite(radius) || !(radius > 0.0)) return false;
     // The last frame's where it is hardly larger.
-    double& steady = state.stableRadius;
+    double& steady = state.memory.stableRadius;
     if (!(steady >= radius) || steady > radius * (1.0 + 2.0 * RadiusStep))
         steady = radius * (1.0 + RadiusStep);
-    const Vec3 centre = begin + t * way;
+    const Mat4& viewFromWorld = problem.viewer.viewFromWorld;
     sphere = {viewFromWorld.topLeftCorner<3, 3>().transpose() *
-                  (centre - viewFromWorld.topRightCorner<3, 1>()),
+                  (vsSphere.centre - viewFromWorld.topRightCorner<3, 1>()),
               steady};
     return true;
 }
@@ -110,24 +119,24 @@ Mat3 squareMap(const Vec2& axis, const Vec2& middle, double half, const Vec2& in
 
 /// The map's x axis in the light image: the last frame's, carried along with the light, so that a
 /// sun that moves turns the texels with it and no further. Light space itself may turn at once.
-Vec2 steadyAxis(const LightImage& image, FitState& state) {
+Vec2 steadyAxis(const LightImage& image, FitMemory& memory) {
     // Of a vector that was all of length 1; a light that has turned by a right angle is another.
     constexpr double LeastLength = 0.5;
     // Where nothing moved, nothing may creep.
     constexpr double Same = 1e-12;
     Vec2 axis = Vec2::UnitX();
-    if (state.wsMapAxis) {
-        const Vec2 kept = image.lsFromDirection(*state.wsMapAxis).head<2>();
+    if (memory.wsMapAxis) {
+        const Vec2 kept = image.lsFromDirection(*memory.wsMapAxis).head<2>();
         if (std::abs(kept.norm() - 1.0) < Same) return kept;
         if (kept.norm() > LeastLength) axis = kept.normalized();
     }
-    state.wsMapAxis = image.lsFromWs().transpose() * Vec3(axis.x(), axis.y(), 0.0);
+    memory.wsMapAxis = image.lsFromWs().transpose() * Vec3(axis.x(), axis.y(), 0.0);
     return axis;
 }
 
 } // namespace
 
-WarpChoice stableMap(const WarpContext& context) {
+WarpChoice stableMap(const WarpContext& context, RuleState state) {
     const ShadowProblem& problem = context.problem;
     const LightImage& image = context.image;
     const Vec2 size(problem.mapWidth, problem.mapHeight);
@@ -145,17 +154,17 @@ WarpChoice stableMap(const WarpContext& context) {
     Sphere sphere;
     // A texel more: the middle is up to half of one beside the sphere's.
     const Vec2 inner = size - Vec2::Constant(2.0 * border + 1.0);
-    if (!(inner.minCoeff() > 0.0) || !sphereInView(problem, context.state, sphere)) {
+    if (!(inner.minCoeff() > 0.0) || !sphereInView(problem, state, sphere)) {
         choice.reason = FitReason::ViewWithoutEnd;
         return choice;
     }
-    const Vec2 axis = steadyAxis(image, context.state);
+    const Vec2 axis = steadyAxis(image, state.memory);
     const auto turned = [&](const Vec3& ls) {
         return Vec2(axis.dot(ls.head<2>()), cross(axis, ls.head<2>()));
     };
     // Texels are counted from the world's own origin.
     const Vec2 origin = turned(image.lsFromDirection(problem.wsOrigin));
-    const Vec2 middle = turned(image.lsFromPoint(sphere.wsCentre));
+    const Vec2 middle = turned(image.lsFromPoint(sphere.centre));
     const Vec2 texel = (2.0 * sphere.radius * inner.cwiseInverse()).eval();
     const Vec2 snapped =
         (origin + middle).cwiseQuotient(texel).array().round().matrix().cwiseProduct(texel) -

@@ -1,4 +1,4 @@
-#include "fit/technique/WarpSearch.h"
+#include "fit/rule/WarpSearch.h"
 
 #include "fit/core/Warp.h"
 #include "fit/geometry/Smoothstep.h"
@@ -61,22 +61,25 @@ Vec2 spreadOfWarp(const Polygon2& hull, const Vec2& centre, const Vec2& warp) {
     return std::log((1.0 + extent.greatest) / (1.0 - extent.least)) / length * warp;
 }
 
-WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples)
-    : mContext(context), mHull(context.state.simpleHull), mExtent(context.state.extent) {
+WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples, RuleState state)
+    : mContext(context),
+      mMemory(state.memory.search),
+      mHull(state.scratch.simpleHull),
+      mExtent(state.scratch.extent) {
     mNow.fingerprint = fingerprintOf(context.problem, context.image, context.region);
-    FitState& state = context.state;
+    std::vector<ViewSample>& seen = state.scratch.samples;
     const FocusRegion& region = context.region;
     mHull = region.liHull;
     simplifyOutward(mHull, SearchVertices);
-    sampleView(context.problem, context.image, mHull, state.scratch.receiversInView,
-               {.most = samples, .enough = (samples + 1) / 2}, state.sampling, state.samples);
+    sampleView(context.problem, context.image, mHull, region.receiversInView,
+               {.most = samples, .enough = (samples + 1) / 2}, state.scratch.sampling, seen);
     // A camera cut makes it another region, which the last choice has nothing to do with.
-    if (state.search) mChange = changeBetween(mNow.fingerprint, state.search->fingerprint);
-    if (!(mChange < CameraCutChange)) state.search.reset();
-    mNow.step = state.search ? state.search->step : FirstStep;
-    mNow.turn = state.search ? state.search->turn : 0;
-    if (state.samples.empty()) return;
-    mExtent.reset(state.samples, mHull, region.liCentre);
+    if (mMemory) mChange = changeBetween(mNow.fingerprint, mMemory->fingerprint);
+    if (!(mChange < CameraCutChange)) mMemory.reset();
+    mNow.step = mMemory ? mMemory->step : FirstStep;
+    mNow.turn = mMemory ? mMemory->turn : 0;
+    if (seen.empty()) return;
+    mExtent.reset(seen, mHull, region.liCentre);
     const double uniform = mExtent(Vec2::Zero());
     if (std::isfinite(uniform)) mUniform = uniform;
 }
@@ -189,20 +192,18 @@ Vec2 WarpSearch::settle(const Judged& best) {
         if (distance > step) chosen = *before + step / distance * (chosen - *before);
     }
     mNow.wsSpread = wsFromSpread(chosen);
-    mContext.state.search = mNow;
+    mMemory = mNow;
     return chosen;
 }
 
 std::optional<Vec2> WarpSearch::last() const {
-    const std::optional<SearchMemory>& memory = mContext.state.search;
-    if (!memory) return std::nullopt;
-    return mContext.image.lsFromDirection(memory->wsSpread).head<2>();
+    if (!mMemory) return std::nullopt;
+    return mContext.image.lsFromDirection(mMemory->wsSpread).head<2>();
 }
 
 std::optional<Vec2> WarpSearch::target() const {
-    const std::optional<SearchMemory>& memory = mContext.state.search;
-    if (!memory || !memory->wsTarget) return std::nullopt;
-    return mContext.image.lsFromDirection(*memory->wsTarget).head<2>();
+    if (!mMemory || !mMemory->wsTarget) return std::nullopt;
+    return mContext.image.lsFromDirection(*mMemory->wsTarget).head<2>();
 }
 
 Vec3 WarpSearch::wsFromSpread(const Vec2& spread) const {

@@ -1,15 +1,9 @@
-#include "fit/technique/ViewDepth.h"
-
-#include "fit/geometry/Smoothstep.h"
+#include "fit/rule/ViewDepth.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace Lixel {
-
-double fadeBySine(double sine, double complete) {
-    return smoothstep(sine / complete);
-}
 
 ViewDepth::ViewDepth(const WarpContext& context) {
     // View space looks along -z; ws = lsFromWs^T ls + wsEye.

@@ -1,0 +1,50 @@
+#include "setup/LightNews.h"
+
+#include "setup/InvalidInput.h"
+
+#include <OgreLight.h>
+#include <OgreLogManager.h>
+#include <OgreRoot.h>
+
+namespace Lixel {
+namespace {
+
+unsigned long thisFrame() {
+    return Ogre::Root::getSingleton().getNextFrameNumber();
+}
+
+} // namespace
+
+void logWarning(const std::string& message) {
+    Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
+}
+
+bool LightNews::isNew(Trouble trouble) {
+    return mNews.isNew(trouble, thisFrame());
+}
+
+bool LightNews::isForgettable() const {
+    return mNews.isOver(thisFrame()) && !toldOfParts;
+}
+
+void LightNews::tell(const Ogre::Light& light, FitReason reason, const ShadowProblem& problem) {
+    if (reason < FitReason::Unbounded) return;
+    if (!mNews.isNew(static_cast<unsigned>(reason), thisFrame())) return;
+    std::string message = "no shadow map for light '" + light.getName() + "': " + toString(reason);
+    if (reason == FitReason::TooFewMaps)
+        message +=
+            "; six are enough for any light (SceneManager::setShadowTextureCountPerLightType, "
+            "an integrated shadow technique, and a material that reads as many)";
+    if (reason == FitReason::InvalidInput)
+        if (const std::string which = describeInvalidInput(problem); !which.empty())
+            message += ": " + which;
+    logWarning(message);
+}
+
+void LightNews::tellWithoutBounds(const Ogre::Light& light, const std::string& body) {
+    if (!isNew(BodyWithoutBounds)) return;
+    logWarning("'" + body + "' has no bounds; the shadow map of light '" + light.getName() +
+               "' is focused as if it were everywhere in view");
+}
+
+} // namespace Lixel

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "fit/problem/ShadowFit.h"
+#include "fit/problem/ShadowProblem.h"
+#include "setup/News.h"
+
+#include <string>
+
+namespace Ogre {
+class Light;
+}
+
+namespace Lixel {
+
+/** What the log is told of one light: each kind of trouble once, and again only after there was
+    none for News::Quiet frames. */
+class LightNews {
+public:
+    /// Trouble beside the reasons of fits.
+    enum Trouble : unsigned {
+        TooFewTextures = 24,
+        NoMapsOfItsOwn,
+        BodyWithoutBounds,
+        MapsDrawnTogether,
+        MapsLeftOver,
+        OneMapToDivide
+    };
+    static_assert(static_cast<unsigned>(FitReason::TooFewMaps) < TooFewTextures);
+
+    /// Whether to tell it now.
+    bool isNew(Trouble trouble);
+    /// A light that happens to shadow nothing is no news; input that cannot be drawn is.
+    void tell(const Ogre::Light& light, FitReason reason, const ShadowProblem& problem);
+    void tellWithoutBounds(const Ogre::Light& light, const std::string& body);
+
+    /// Whether nobody need remember what was told.
+    bool isForgettable() const;
+
+    /// Once for good: to find it out costs the fits of what is left over.
+    bool toldOfParts = false;
+
+private:
+    News mNews;
+};
+
+void logWarning(const std::string& message);
+
+} // namespace Lixel

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "setup/FittedShadowCameraSetup.h"
+
+namespace Lixel {
+
+/// One option of a setup, as OGRE's StringInterface reads and sets it.
+class FittedShadowCameraSetup::OptionCommand : public Ogre::ParamCommand {
+public:
+    OptionCommand(const Option& option, bool isCommon) : mOption(&option), mIsCommon(isCommon) {}
+
+    Ogre::ParameterDef definition() const;
+    Ogre::String doGet(const void* target) const override;
+    void doSet(void* target, const Ogre::String& value) override;
+
+private:
+    const Option* mOption;
+    /// Of CommonOptions, instead of the setup's own.
+    bool mIsCommon;
+};
+
+} // namespace Lixel

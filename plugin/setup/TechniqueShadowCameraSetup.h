@@ -1,0 +1,45 @@
+#pragma once
+
+#include "fit/technique/Techniques.h"
+#include "setup/FittedShadowCameraSetup.h"
+
+namespace Lixel {
+
+/** The setup of one technique, named by its structure of options.
+
+        light->setCustomShadowCameraSetup(Lixel::XPSMShadowCameraSetup::create({.strength = 1}));
+
+    @tparam Options such as XpsmOptions: what they do is said there
+*/
+template <TechniqueOptions Options>
+class LIXEL_API TechniqueShadowCameraSetup : public FittedShadowCameraSetup {
+public:
+    /// @throws Ogre::InvalidParametersException where an option has none of its values.
+    static std::shared_ptr<TechniqueShadowCameraSetup> create(const Options& options = {}) {
+        return std::make_shared<TechniqueShadowCameraSetup>(options);
+    }
+    /// Use create().
+    explicit TechniqueShadowCameraSetup(const Options& options = {})
+        : FittedShadowCameraSetup(Options::technique().name, Options::technique().options,
+                                  &mOptions) {
+        setOptions(options);
+    }
+
+    const Options& getOptions() const { return mOptions; }
+    /// Sets all of the technique's options; what is not named has its default.
+    /// @throws Ogre::InvalidParametersException where an option has none of its values.
+    void setOptions(const Options& options) {
+        checkOptions(Options::technique().options, &options);
+        mOptions = options;
+    }
+
+protected:
+    ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override {
+        return fitMap(problem, mOptions, state);
+    }
+
+private:
+    Options mOptions;
+};
+
+} // namespace Lixel
