@@ -7,6 +7,7 @@
 #   lib/cmake/Lixel/                   the package's configuration
 #   share/Lixel/materials/             scripts and programs (materials/CMakeLists.txt)
 #   share/Lixel/{plugins,resources}.cfg  the entries that an application needs, to copy
+#   share/doc/Lixel/                   the users' READMEs and a whole program
 #
 # The browser is not installed: it reads the plugins.cfg and resources.cfg of the build tree.
 
@@ -27,7 +28,7 @@ install(TARGETS Plugin_Lixel LIBRARY DESTINATION "${LIXEL_INSTALL_PLUGINS}")
 # What users need, and what these headers include.
 set(public_headers
   fit/geometry/BoxSet.h
-  fit/geometry/Plane.h
+  fit/geometry/HalfSpace.h
   fit/geometry/SurfaceCloud.h
   fit/geometry/Types.h
   fit/problem/Option.h
@@ -58,6 +59,14 @@ foreach(header ${public_headers} ${techniques})
   get_filename_component(room "${header}" DIRECTORY)
   install(FILES "${PROJECT_SOURCE_DIR}/plugin/${header}"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/Lixel/${room}")
+endforeach()
+
+# What to read, and a whole program.
+foreach(document README.md materials/README.md tests/install/application/main.cpp
+    tests/install/application/CMakeLists.txt)
+  get_filename_component(folder "${document}" DIRECTORY)
+  install(FILES "${PROJECT_SOURCE_DIR}/${document}"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/Lixel/${folder}")
 endforeach()
 
 install(EXPORT LixelTargets NAMESPACE Lixel:: DESTINATION "${LIXEL_INSTALL_PACKAGE}")

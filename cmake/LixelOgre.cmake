@@ -1,5 +1,5 @@
 # Which OGRE Lixel is built with, and used with. Included by Lixel's build and, installed beside
-# LixelConfig.cmake, by whoever finds the package Lixel. All that differs between OGRE's versions for
+# LixelConfig.cmake, when an application finds the package Lixel. All that differs between OGRE's versions for
 # CMake is here; for C++ it is in plugin/scene/OgreVersions.h.
 
 set(LIXEL_OLDEST_OGRE 1.12.10)

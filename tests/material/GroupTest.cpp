@@ -87,6 +87,35 @@ TEST(Groups, HoldProgramsForSeveralMaps) {
     EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
 }
 
+/// The recipe of a vertex program: the surface, its light and its shadow are bent alike.
+TEST(Groups, HoldVertexProgramsOfTheApplications) {
+    for (const bool isIntegrated : {false, true}) {
+        MaterialScene scene(isIntegrated ? Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED
+                                         : Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                            isIntegrated ? "" : "Lixel/Receiver/Bilinear");
+        addGame(Ogre::RGN_DEFAULT);
+        Ogre::SceneManager& manager = scene.stage.sceneManager();
+        setShadowMaterials(manager, isIntegrated ? "" : "Lixel/Receiver/Bilinear");
+        Ogre::Light& sun = *scene.lights.front();
+        for (Ogre::Light* light : scene.lights)
+            light->setVisible(light == &sun);
+        if (isIntegrated) {
+            manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
+            sun.setCustomShadowCameraSetup(CascadesShadowCameraSetup::create());
+            scene.wear("Lixel/Surface/Integrated/Maps3");
+        }
+        const std::vector<int> straight = scene.draw();
+        auto& box = *static_cast<Ogre::Entity*>(scene.box->getAttachedObject(0));
+        LogCollector log;
+        box.setMaterialName(isIntegrated ? "My/GrassOfSeveralMaps" : "My/Grass");
+        scene.draw();
+        const std::vector<int> bent = scene.draw();
+        scene.keepPicture(isIntegrated ? "recipe-grass-integrated" : "recipe-grass");
+        EXPECT_NE(bent, straight);
+        EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+    }
+}
+
 std::string contentOf(const std::string& file) {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
@@ -105,7 +134,8 @@ std::string withoutIndents(const std::string& text) {
 TEST(Recipes, AreTheReadmes) {
     const std::string readme = withoutIndents(contentOf(LIXEL_MATERIALS_DIR "/README.md"));
     for (const char* name : {"MyReceiver.frag", "My.program", "MyCascades.frag",
-                             "MyCascades.program", "MyCascades.material"}) {
+                             "MyCascades.program", "MyCascades.material", "MyGrass.vert",
+                             "MyGrassCaster.vert", "MyGrass.program", "MyGrass.material"}) {
         const std::string recipe = contentOf(LIXEL_TEST_MEDIA "/game/" + std::string(name));
         ASSERT_FALSE(recipe.empty());
         EXPECT_NE(readme.find(withoutIndents(recipe)), std::string::npos) << name;
