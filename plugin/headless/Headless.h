@@ -44,6 +44,8 @@
 #endif
 
 namespace Lixel::Headless {
+/// @addtogroup LixelHeadless
+/// @{
 
 /// The kind of OpenGL context that a render system expects.
 enum class Profile {
@@ -104,4 +106,5 @@ struct Options {
     says nothing of that server's OpenGL. */
 [[nodiscard]] LIXEL_HEADLESS_EXPORT bool isDisplayUsable();
 
+/// @}
 } // namespace Lixel::Headless

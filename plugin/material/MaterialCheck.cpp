@@ -282,7 +282,7 @@ void MaterialCheck::checkReceiver(const Ogre::Pass& pass) {
 }
 
 void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights) {
-    if (!pass.getParent()->getParent()->getReceiveShadows()) return;
+    if (!pass.getParent()->getParent()->getReceiveShadows() || !hasMapUnits(pass)) return;
     for (std::size_t place = 0; place < lights.size(); ++place) {
         const auto found = mMaps.find(lights[place]);
         if (found == mMaps.end() || !mCounted.emplace(&pass, found->first).second) continue;

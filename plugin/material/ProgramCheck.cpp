@@ -297,6 +297,10 @@ std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light) {
     return maps;
 }
 
+bool hasMapUnits(const Ogre::Pass& pass) {
+    return !mapUnitsOf(pass).empty();
+}
+
 bool readsMaps(const Ogre::Pass& pass) {
     return mapsRead(pass, 0) > 0 || readsModulativeMap(pass);
 }

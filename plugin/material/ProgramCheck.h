@@ -40,6 +40,10 @@ bool writesCasterDepth(const Ogre::Pass& pass);
 /// @param light its place among the pass's lights
 std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light);
 
+/// Whether a pass has texture units for maps under integrated techniques: one without may compute
+/// where a map is, for varyings that it shares with others, and reads none.
+bool hasMapUnits(const Ogre::Pass& pass);
+
 /// How many maps the least of Lixel/ShadowMaps2, Lixel/Surface/Integrated/Maps2 and so on has that
 /// has so many; none where no such program and material has.
 std::optional<std::size_t> mapsOfProgramFor(std::size_t maps);

@@ -10,6 +10,8 @@ class SceneManager;
 } // namespace Ogre
 
 namespace Lixel {
+/// @addtogroup LixelMaterials
+/// @{
 
 class SharedParameters;
 
@@ -66,4 +68,5 @@ private:
     std::map<Ogre::SceneManager*, std::unique_ptr<SceneListener>> mListeners;
 };
 
+/// @}
 } // namespace Lixel

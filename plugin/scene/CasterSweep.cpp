@@ -14,8 +14,8 @@ namespace {
 /// ones a volume, and keeps what merely touches the view.
 constexpr double BoundsSlack = 0x1p-30;
 
-Box widened(const Box& receivers) {
-    Box bounds = receivers;
+Aabb widened(const Aabb& receivers) {
+    Aabb bounds = receivers;
     bounds.halfExtents.array() +=
         BoundsSlack * (bounds.centre.cwiseAbs() + bounds.halfExtents).maxCoeff();
     return bounds;
@@ -31,7 +31,7 @@ bool CasterSweep::isUsable(const ShadowLight& light) {
            (light.kind == LightKind::Point || light.outerHalfAngle > 0.0);
 }
 
-bool CasterSweep::setBox(const ConvexVolume& seen, const Box& bounds, const ShadowLight& light,
+bool CasterSweep::setBox(const ConvexVolume& seen, const Aabb& bounds, const ShadowLight& light,
                          const Vec3& wsOrigin) {
     mVolume = NodeCuller();
     ConvexVolume lit = seen;
@@ -50,7 +50,7 @@ bool CasterSweep::setBox(const ConvexVolume& seen, const Box& bounds, const Shad
     return true;
 }
 
-bool CasterSweep::set(const ShadowViewer& viewer, const ShadowLight& light, const Box& receivers,
+bool CasterSweep::set(const ShadowViewer& viewer, const ShadowLight& light, const Aabb& receivers,
                       const Vec3& wsOrigin) {
     ConvexVolume lit = viewVolume(viewer);
     if (needsParts(light)) return setBox(lit, widened(receivers), light, wsOrigin);
@@ -64,7 +64,7 @@ bool CasterSweep::set(const ShadowViewer& viewer, const ShadowLight& light, cons
     double lsFar = -std::numeric_limits<double>::infinity();
     for (const Vec3& ws : mWsPoints) {
         const Vec3 ls = image.lsFromPoint(ws);
-        // A clipped vertex lies on the near plane but for rounding; nothing is divided by less.
+        // A clipped vertex lies on the near plane, up to rounding; nothing is divided by less.
         if (!directional && -ls.z() < 0.5 * light.nearDistance) continue;
         lsFar = std::max(lsFar, -ls.z());
         mPoints.push_back(image.project(ls));

@@ -22,7 +22,7 @@ public:
         @param receivers bounds of the receivers in view, relative to `wsOrigin`
         @return false where no receiver is in view within that distance and lit: no caster matters
     */
-    bool set(const ShadowViewer& viewer, const ShadowLight& light, const Box& receivers,
+    bool set(const ShadowViewer& viewer, const ShadowLight& light, const Aabb& receivers,
              const Vec3& wsOrigin);
 
     const NodeCuller& volume() const { return mVolume; }
@@ -31,7 +31,7 @@ public:
     static bool isUsable(const ShadowLight& light);
 
 private:
-    bool setBox(const ConvexVolume& seen, const Box& bounds, const ShadowLight& light,
+    bool setBox(const ConvexVolume& seen, const Aabb& bounds, const ShadowLight& light,
                 const Vec3& wsOrigin);
 
     NodeCuller mVolume;

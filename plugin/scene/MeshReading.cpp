@@ -57,7 +57,7 @@ bool isFixed(const Ogre::VertexData& data) {
     return buffer != nullptr && (buffer->getUsage() & Ogre::HardwareBuffer::HBU_DYNAMIC) == 0;
 }
 
-/// Whether the hull reaches as far as a mesh's bounds, but for the margin that OGRE adds to these.
+/// Whether the hull reaches as far as a mesh's bounds, without the margin that OGRE adds to these.
 bool fills(const BodyHull& hull, const Ogre::AxisAlignedBox& bounds) {
     if (hull.empty() || !bounds.isFinite()) return false;
     Eigen::AlignedBox3d box;

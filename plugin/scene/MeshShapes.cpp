@@ -25,7 +25,7 @@ constexpr unsigned PicturesOfAFrame = 32;
 /// A mesh that gets other bounds more often than this is one that changes all the time.
 constexpr unsigned MostBoundsChanges = 8;
 
-/// Vertex programs of which it is known that they do nothing but transform.
+/// Vertex programs that are known to do nothing except transform.
 const Ogre::String OwnPrograms = "Lixel/";
 const Ogre::String ShaderGenerator = "ShaderGeneratorDefaultScheme";
 
@@ -45,7 +45,7 @@ bool mayMoveVertices(const Ogre::Entity& entity) {
     return false;
 }
 
-/// An entity's hull, for whoever must not throw.
+/// An entity's hull, for callers that must not throw.
 const BodyHull* hullOrNone(MeshShapes& meshes, const Ogre::Entity& entity) noexcept {
     try {
         return meshes.hullOf(entity);
@@ -159,7 +159,7 @@ void ObjectShapes::reset(MeshShapes& meshes, const Vec3& wsOrigin) {
     mObjects.clear();
 }
 
-const BodyHull* ObjectShapes::hullOf(std::size_t index, Affine3& wsFromBody) const noexcept {
+const BodyHull* ObjectShapes::hullOf(std::size_t index, Transform3& wsFromBody) const noexcept {
     if (index >= mObjects.size()) return nullptr;
     const auto* const entity = dynamic_cast<const Ogre::Entity*>(mObjects[index]);
     const BodyHull* const hull = entity != nullptr ? hullOrNone(*mMeshes, *entity) : nullptr;

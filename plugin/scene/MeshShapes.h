@@ -119,7 +119,7 @@ public:
     /// Adds what the next box of the set is of; it must be there until the next reset.
     void add(const Ogre::MovableObject& object) { mObjects.push_back(&object); }
 
-    const BodyHull* hullOf(std::size_t index, Affine3& wsFromBody) const noexcept override;
+    const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
 
 private:
     MeshShapes* mMeshes = nullptr;

@@ -10,7 +10,7 @@ constexpr double PlaneSlack = 0x1p-40;
 } // namespace
 
 NodeCuller::NodeCuller(const ConvexVolume& volume, const Vec3& wsOrigin) {
-    for (const Plane& plane : volume.planes())
+    for (const HalfSpace& plane : volume.planes())
         add(plane.normal, plane.offset, wsOrigin);
 }
 

@@ -13,7 +13,7 @@ namespace Lixel {
 
 /** Collects the nodes that may touch a volume from the octants of OGRE's octree scene manager.
 
-    The plugin's headers tell how octants are laid out; nothing of it is linked, so whoever does
+    The plugin's headers tell how octants are laid out. Nothing of it is linked, so a program
     without that scene manager need not have it.
 
     @param nodes appended to

@@ -24,15 +24,15 @@ inline Mat4 toDouble(const Ogre::Matrix4& m) {
 }
 
 /// A finite box relative to an origin.
-inline Box relativeBox(const Ogre::AxisAlignedBox& bounds, const Vec3& wsOrigin) {
+inline Aabb relativeBox(const Ogre::AxisAlignedBox& bounds, const Vec3& wsOrigin) {
     const Vec3 lower = toDouble(bounds.getMinimum()) - wsOrigin;
     const Vec3 upper = toDouble(bounds.getMaximum()) - wsOrigin;
     return {(lower + upper) / 2.0, (upper - lower) / 2.0};
 }
 
 /// A transform into the world, as one relative to an origin there.
-inline Affine3 relativeTransform(const Ogre::Affine3& wsFromOwn, const Vec3& wsOrigin) {
-    Affine3 result(toDouble(wsFromOwn));
+inline Transform3 relativeTransform(const Ogre::Affine3& wsFromOwn, const Vec3& wsOrigin) {
+    Transform3 result(toDouble(wsFromOwn));
     result.pretranslate(-wsOrigin);
     return result;
 }

@@ -8,7 +8,7 @@ class SceneManager;
 
 namespace Lixel {
 
-/** Whoever keeps something for scene managers, and has to drop it when one goes: what is made of
+/** Keeps something for scene managers, and has to drop it when one goes: what is made of
     OGRE's classes does not survive OGRE.
 
     Watchers come and go as they like, even while they are told. */

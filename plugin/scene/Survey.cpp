@@ -25,7 +25,7 @@ constexpr double Flatness = 1.0 / 32.0;
 constexpr double NearRadii = 1.5;
 
 /// Whether the box may say too little of what the viewer, at the origin, sees of the body in it.
-bool needsSurface(const Box& box) {
+bool needsSurface(const Aabb& box) {
     return box.centre.norm() < NearRadii * box.halfExtents.norm() &&
            box.halfExtents.minCoeff() > Flatness * box.halfExtents.maxCoeff();
 }
@@ -77,8 +77,8 @@ void Survey::visit(Ogre::MovableObject& object) {
             mUnboundedName = object.getName();
         return;
     }
-    const Box box = relativeBox(bounds, mWsOrigin);
-    // Asking the materials is the dearest question, so it comes last.
+    const Aabb box = relativeBox(bounds, mWsOrigin);
+    // Asking the materials takes longest, so it comes last.
     if (mView.classify(box) == ConvexVolume::Side::Outside || !mRules.receives(object, mBareParts))
         return;
     const std::size_t index = mReceivers.size();

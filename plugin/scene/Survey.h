@@ -61,7 +61,7 @@ public:
         They point into the survey, and hold until its next one. */
     const std::vector<KnownSurface>& surfaces() const { return mSurfaces; }
     /// The box around all receivers that have bounds; without one it is of no meaning.
-    Box receiverBounds() const { return {(mLower + mUpper) / 2.0, (mUpper - mLower) / 2.0}; }
+    Aabb receiverBounds() const { return {(mLower + mUpper) / 2.0, (mUpper - mLower) / 2.0}; }
     /// Name of an object without bounds that casts or receives; empty if there is none.
     const std::string& unboundedName() const { return mUnboundedName; }
     /// Objects looked at, for statistics: those in view or without bounds.

@@ -7,7 +7,7 @@ namespace Lixel {
 /// A survey and what it took to make it.
 struct TimedSurvey {
     Survey survey;
-    /// CPU time of taking it in microseconds, 0 for whoever got it ready made.
+    /// CPU time of taking it in microseconds, 0 where an earlier call took it.
     double microseconds = 0.0;
 };
 

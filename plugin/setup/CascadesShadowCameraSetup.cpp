@@ -24,10 +24,15 @@ CascadesShadowCameraSetup::CascadesShadowCameraSetup(const Ogre::ShadowCameraSet
                                                      const CascadeOptions& options)
     : FittedShadowCameraSetup("Cascades", CascadeOptions::declared(), &mOptions),
       mTechnique(std::dynamic_pointer_cast<const FittedShadowCameraSetup>(technique)) {
-    if (!mTechnique || dynamic_cast<const CascadesShadowCameraSetup*>(mTechnique.get()) != nullptr)
-        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                    "technique: cascades are made of one of Lixel's setups, but not of cascades",
-                    "CascadesShadowCameraSetup");
+    const char* wrong = nullptr;
+    if (!technique)
+        wrong = "technique: there is none in a null pointer";
+    else if (!mTechnique)
+        wrong = "technique: cascades are made of one of Lixel's setups, and this is another";
+    else if (dynamic_cast<const CascadesShadowCameraSetup*>(mTechnique.get()) != nullptr)
+        wrong = "technique: cascades are not made of cascades";
+    if (wrong != nullptr)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, wrong, "CascadesShadowCameraSetup");
     setOptions(options);
 }
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /** Several maps for one directional or spot light, one for each slice of the view by depth, each
     by a technique of its own choice.
@@ -54,4 +56,5 @@ private:
     CascadeOptions mOptions;
 };
 
+/// @}
 } // namespace Lixel

@@ -3,6 +3,8 @@
 #include "fit/geometry/Types.h"
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /** Takes off all that setups and guards have hung into OGRE: listeners of scene managers and shadow
     textures, and marks on lights and cameras. Afterwards OGRE calls nothing of Lixel's that it is
@@ -14,4 +16,5 @@ namespace Lixel {
 */
 LIXEL_API void detachFromOgre();
 
+/// @}
 } // namespace Lixel

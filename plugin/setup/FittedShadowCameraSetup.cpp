@@ -84,8 +84,11 @@ FittedShadowCameraSetup::FittedShadowCameraSetup() : FittedShadowCameraSetup("",
 
 FittedShadowCameraSetup::FittedShadowCameraSetup(std::string_view name,
                                                  std::span<const Option> declared, void* options)
-    : mMemory(std::make_unique<SetupMemory>()), mDeclared(declared), mOptions(options) {
-    declareParameters(name);
+    : mMemory(std::make_unique<SetupMemory>()),
+      mName(name),
+      mDeclared(declared),
+      mOptions(options) {
+    declareParameters();
 }
 
 FittedShadowCameraSetup::~FittedShadowCameraSetup() = default;

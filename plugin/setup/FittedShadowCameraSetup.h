@@ -15,6 +15,8 @@
 #include <vector>
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 struct DivisionMemory;
 struct FitState;
@@ -69,9 +71,8 @@ struct CommonOptions {
     whichever of its maps and viewers it is, and no other until the light had nothing wrong for 600
     frames, so that input which is bad in every other frame does not flood it.
 
-    Options can be set and read as text too, by Ogre::StringInterface: setParameter("strength",
-    "0.5"), getParameter, getParameters. Those of CommonOptions are among them. A value that is none
-    of the option's throws Ogre::InvalidParametersException, which names those that are.
+    Options can be set and read as text too, those of CommonOptions among them, here or by
+    Ogre::StringInterface. OGRE's dictionary goes with Root; what is declared here works without.
 
     A setup may outlive the lights, cameras and scene managers that it was used with, and Root; a
     new light or camera is another one, even at the address and by the name of an old one.
@@ -82,6 +83,17 @@ public:
     ~FittedShadowCameraSetup() override;
     FittedShadowCameraSetup(const FittedShadowCameraSetup&) = delete;
     FittedShadowCameraSetup& operator=(const FittedShadowCameraSetup&) = delete;
+
+    /// Sets an option from text.
+    /// @return true
+    /// @throws Ogre::InvalidParametersException where there is no such option, or the value is none
+    /// of the option's, with those that there are. (StringInterface's own returns false for an
+    /// option that there is not.)
+    bool setParameter(const Ogre::String& keyword, const Ogre::String& value);
+    /// An option's value, as setParameter reads it; empty where there is no such option.
+    Ogre::String getParameter(const Ogre::String& keyword) const;
+    /// All options, with what they do and their values.
+    const Ogre::ParameterList& getParameters() const;
 
     /// @see CommonOptions::filterRadius
     /// @throws Ogre::InvalidParametersException unless 0 <= texels <= 64.
@@ -113,7 +125,7 @@ public:
 protected:
     /// Without options of its own.
     FittedShadowCameraSetup();
-    /// @param name what it is called in lists and scripts
+    /// @param name what it is called in lists and scripts, no other setup's
     /// @param declared its own options, of the structure `options`; both must outlive it
     FittedShadowCameraSetup(std::string_view name, std::span<const Option> declared, void* options);
 
@@ -147,7 +159,10 @@ private:
     struct Request;
 
     /// Names its options to OGRE's StringInterface.
-    void declareParameters(std::string_view name);
+    void declareParameters();
+    struct OwnedOption;
+    /// An option by its keyword, of its own or of CommonOptions; null where there is none.
+    OwnedOption find(std::string_view keyword) const;
     /// The problem of all maps of a light.
     ShadowProblem describe(const Request& request, const Survey& survey,
                            const LightMemory& memory) const;
@@ -161,10 +176,12 @@ private:
                      bool isDrawn, LightMemory& memory);
 
     std::unique_ptr<SetupMemory> mMemory;
+    std::string mName;
     CommonOptions mCommon;
     std::span<const Option> mDeclared;
     void* mOptions;
     std::vector<VisiblePoint> mWsVisiblePoints;
 };
 
+/// @}
 } // namespace Lixel

@@ -18,7 +18,7 @@ namespace Lixel {
     puts the flags on again when they are good again.
 
     Light::setVisible stays the user's: a light that was hidden or shown while it was guarded is
-    hidden or shown afterwards. So are visibility flags set meanwhile (but for none at all), which
+    hidden or shown afterwards. So are visibility flags set meanwhile (except 0), which
     the guard takes off and keeps for later.
 
     Guarding a scene manager twice has no effect. The plugin guards all of them before every frame;

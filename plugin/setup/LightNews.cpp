@@ -28,8 +28,13 @@ bool LightNews::isForgettable() const {
 }
 
 void LightNews::tell(const Ogre::Light& light, FitReason reason, const ShadowProblem& problem) {
-    if (reason < FitReason::Unbounded) return;
+    const bool isNotStable = reason == FitReason::ViewWithoutEnd;
+    if (reason < FitReason::Unbounded && !isNotStable) return;
     if (!mNews.isNew(static_cast<unsigned>(reason), thisFrame())) return;
+    if (isNotStable)
+        return logWarning("the shadow map of light '" + light.getName() +
+                          "' is not stable: " + toString(reason) +
+                          "; set Light::setShadowFarDistance, or the viewer's far distance");
     std::string message = "no shadow map for light '" + light.getName() + "': " + toString(reason);
     if (reason == FitReason::TooFewMaps)
         message +=

@@ -5,7 +5,6 @@
 #include "setup/LightNews.h"
 
 #include <OgreLight.h>
-#include <OgreLogManager.h>
 #include <OgreSceneManager.h>
 
 #include <algorithm>
@@ -29,8 +28,8 @@ bool readsSeveral(const Ogre::Light& light, const Ogre::SceneManager& sceneManag
                   std::size_t wanted, LightNews& news) {
     if (sceneManager.isShadowTechniqueIntegrated()) return true;
     if (news.isNew(LightNews::NoMapsOfItsOwn))
-        Ogre::LogManager::getSingleton().logError(
-            "Lixel: light '" + light.getName() + "' has " + std::to_string(wanted) +
+        logWarning(
+            "light '" + light.getName() + "' has " + std::to_string(wanted) +
             " shadow textures, and OGRE uses more than one of a light only under an "
             "integrated shadow technique, such as SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED; it "
             "gets one map");

@@ -8,6 +8,8 @@
 #include <OgrePrerequisites.h>
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /** Reads a mesh's shape now, for all setups, scene managers and lights.
 
@@ -32,4 +34,5 @@ LIXEL_API void prepareMesh(const Ogre::MeshPtr& mesh);
 LIXEL_API void setMeshReadingTime(Ogre::Real microseconds);
 LIXEL_API Ogre::Real getMeshReadingTime();
 
+/// @}
 } // namespace Lixel

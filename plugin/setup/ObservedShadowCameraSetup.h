@@ -8,6 +8,8 @@
 #include <OgreShadowCameraSetup.h>
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /** Wraps any other shadow camera setup so that Lixel's materials and statistics work with it.
 
@@ -33,4 +35,5 @@ private:
     Ogre::Real mDepthBias;
 };
 
+/// @}
 } // namespace Lixel

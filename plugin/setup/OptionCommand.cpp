@@ -30,32 +30,74 @@ Ogre::ParameterDef FittedShadowCameraSetup::OptionCommand::definition() const {
 }
 
 Ogre::String FittedShadowCameraSetup::OptionCommand::doGet(const void* target) const {
-    const auto& setup = *static_cast<const FittedShadowCameraSetup*>(
-        static_cast<const Ogre::StringInterface*>(target));
-    return optionText(*mOption, mIsCommon ? &setup.mCommon : setup.mOptions);
+    return static_cast<const FittedShadowCameraSetup*>(
+               static_cast<const Ogre::StringInterface*>(target))
+        ->getParameter(Ogre::String(mOption->keyword));
 }
 
 void FittedShadowCameraSetup::OptionCommand::doSet(void* target, const Ogre::String& value) {
-    auto& setup =
-        *static_cast<FittedShadowCameraSetup*>(static_cast<Ogre::StringInterface*>(target));
-    const std::string wrong =
-        setOption(*mOption, mIsCommon ? &setup.mCommon : setup.mOptions, value);
-    if (!wrong.empty())
-        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, wrong, "Lixel's setParameter");
+    static_cast<FittedShadowCameraSetup*>(static_cast<Ogre::StringInterface*>(target))
+        ->setParameter(Ogre::String(mOption->keyword), value);
 }
 
-void FittedShadowCameraSetup::declareParameters(std::string_view name) {
+struct FittedShadowCameraSetup::OwnedOption {
+    const Option* option = nullptr;
+    /// The structure that it is a member of.
+    void* options = nullptr;
+};
+
+FittedShadowCameraSetup::OwnedOption FittedShadowCameraSetup::find(std::string_view keyword) const {
+    if (const Option* const own = findOption(mDeclared, keyword)) return {own, mOptions};
+    // What is read alone is not changed.
+    return {findOption(CommonOptions::declared(), keyword), const_cast<CommonOptions*>(&mCommon)};
+}
+
+bool FittedShadowCameraSetup::setParameter(const Ogre::String& keyword, const Ogre::String& value) {
+    const OwnedOption found = find(keyword);
+    std::string wrong;
+    if (found.option != nullptr) {
+        wrong = setOption(*found.option, found.options, value);
+    } else {
+        wrong = "there is no option '" + keyword + "' of " + (mName.empty() ? "this setup" : mName);
+        wrong += "; there are: ";
+        for (const Option& option : mDeclared) {
+            wrong += option.keyword;
+            wrong += ", ";
+        }
+        for (const Option& option : CommonOptions::declared()) {
+            wrong += option.keyword;
+            wrong += &option == &CommonOptions::declared().back() ? "" : ", ";
+        }
+    }
+    if (!wrong.empty())
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, wrong,
+                    "FittedShadowCameraSetup::setParameter");
+    return true;
+}
+
+Ogre::String FittedShadowCameraSetup::getParameter(const Ogre::String& keyword) const {
+    const OwnedOption found = find(keyword);
+    return found.option == nullptr ? Ogre::String() : optionText(*found.option, found.options);
+}
+
+const Ogre::ParameterList& FittedShadowCameraSetup::getParameters() const {
+    // The dictionary is not among what the setup is.
+    const_cast<FittedShadowCameraSetup*>(this)->declareParameters();
+    return StringInterface::getParameters();
+}
+
+void FittedShadowCameraSetup::declareParameters() {
     // OGRE keeps a dictionary for each name, which goes with Root, and pointers to commands, which
     // are not its own.
-    static std::map<std::string, std::vector<OptionCommand>, std::less<>> all;
-    const std::string dictionary = "Lixel/" + std::string(name);
+    static std::map<std::string, std::vector<OptionCommand>> all;
+    const std::string dictionary = "Lixel/" + mName;
     if (!createParamDictionary(dictionary)) return;
     std::vector<OptionCommand>& commands = all[dictionary];
     if (commands.empty()) {
         for (const Option& option : mDeclared)
-            commands.emplace_back(option, false);
+            commands.emplace_back(option);
         for (const Option& option : CommonOptions::declared())
-            commands.emplace_back(option, true);
+            commands.emplace_back(option);
     }
     for (OptionCommand& command : commands)
         getParamDictionary()->addParameter(command.definition(), &command);

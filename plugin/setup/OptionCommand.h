@@ -7,7 +7,7 @@ namespace Lixel {
 /// One option of a setup, as OGRE's StringInterface reads and sets it.
 class FittedShadowCameraSetup::OptionCommand : public Ogre::ParamCommand {
 public:
-    OptionCommand(const Option& option, bool isCommon) : mOption(&option), mIsCommon(isCommon) {}
+    explicit OptionCommand(const Option& option) : mOption(&option) {}
 
     Ogre::ParameterDef definition() const;
     Ogre::String doGet(const void* target) const override;
@@ -15,8 +15,6 @@ public:
 
 private:
     const Option* mOption;
-    /// Of CommonOptions, instead of the setup's own.
-    bool mIsCommon;
 };
 
 } // namespace Lixel

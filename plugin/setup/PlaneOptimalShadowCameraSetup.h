@@ -9,6 +9,8 @@ class MovablePlane;
 }
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /// A map made for one plane, such as the ground, which may move. @see PlaneOptimalOptions
 class LIXEL_API PlaneOptimalShadowCameraSetup
@@ -37,4 +39,5 @@ private:
     const Ogre::MovablePlane* mMovablePlane = nullptr;
 };
 
+/// @}
 } // namespace Lixel

@@ -4,6 +4,8 @@
 #include "setup/TechniqueShadowCameraSetup.h"
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /** Kozlov's cube map of post-projective space (2004, §14.2.2): the light's maps are the faces of
     the viewer's volume through which its rays leave, one to five for a directional light, up to six
@@ -31,4 +33,5 @@ protected:
     std::size_t mapsOfSun(std::size_t maps) const noexcept override { return maps; }
 };
 
+/// @}
 } // namespace Lixel

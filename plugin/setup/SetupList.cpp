@@ -24,7 +24,7 @@ struct SetupOf<CubeOptions> {
 
 template <typename Options>
 SetupKind kindOf() {
-    const Technique& technique = Options::technique();
+    const FitTechnique& technique = Options::technique();
     return {technique.name, technique.title, technique.paper, technique.options,
             []() -> std::shared_ptr<FittedShadowCameraSetup> {
                 return SetupOf<Options>::Type::create();

@@ -9,6 +9,8 @@
 
 /// All kinds of setups by name, for programs that have a user choose one.
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 struct SetupKind {
     std::string_view name;  ///< such as "XPSM"
@@ -25,4 +27,5 @@ LIXEL_API std::span<const SetupKind> setupKinds();
 /// The kind of that name; null where there is none.
 LIXEL_API const SetupKind* findSetupKind(std::string_view name);
 
+/// @}
 } // namespace Lixel

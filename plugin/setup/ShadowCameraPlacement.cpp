@@ -17,7 +17,7 @@ namespace {
 /// like its inverse, is well within.
 constexpr double GreatestDeterminant = 0x1p96;
 
-/** The unit of length in which the shadow camera sees, in world units: 1 but for worlds of some 10⁹
+/** The unit of length in which the shadow camera sees, in world units: 1 except in worlds of some 10⁹
     units and more, or 10⁻⁹ and less.
 
     OGRE inverts the projection in floats, and asserts that what comes out is a number: of a sun's

@@ -8,6 +8,8 @@
 
 /// All of Lixel's setups.
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /// A uniform shadow map, focused on what is visible and can be shadowed; or a stable one.
 using UniformShadowCameraSetup = TechniqueShadowCameraSetup<UniformOptions>;
@@ -29,4 +31,5 @@ using TrapezoidalShadowCameraSetup = TechniqueShadowCameraSetup<TrapezoidalOptio
 /// Stamminger's and Drettakis' perspective shadow map, as Kozlov mends it.
 using PSMShadowCameraSetup = TechniqueShadowCameraSetup<PsmOptions>;
 
+/// @}
 } // namespace Lixel

@@ -10,6 +10,8 @@ class SceneManager;
 } // namespace Ogre
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /// What was decided for one shadow map, right before its casters are drawn.
 struct ShadowMap {
@@ -37,7 +39,7 @@ struct ShadowMap {
     double fitMicroseconds;
 };
 
-/// Whoever wants to know about shadow maps: materials' parameters, statistics.
+/// What wants to know about shadow maps: materials' parameters, statistics.
 class LIXEL_API ShadowMapObserver {
 public:
     virtual ~ShadowMapObserver();
@@ -56,4 +58,5 @@ LIXEL_API void publishShadowMap(const ShadowMap& map);
 
 static_assert(HasOneLayout<ShadowMap>);
 
+/// @}
 } // namespace Lixel

@@ -4,6 +4,8 @@
 #include "setup/FittedShadowCameraSetup.h"
 
 namespace Lixel {
+/// @addtogroup LixelSetups
+/// @{
 
 /** The setup of one technique, named by its structure of options.
 
@@ -42,4 +44,5 @@ private:
     Options mOptions;
 };
 
+/// @}
 } // namespace Lixel

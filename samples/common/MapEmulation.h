@@ -11,7 +11,7 @@ namespace Lixel::Samples {
 /// One shadow map, as a GPU has it.
 struct EmulatedMap {
     /// OpenGL clip space from positions relative to TriangleScene::wsOrigin, with the rounding of
-    /// whoever hands it to the GPU. Zero where there is no map: everything is lit.
+    /// what hands it to the GPU. Zero where there is no map: everything is lit.
     Eigen::Matrix4d clipFromWs = Eigen::Matrix4d::Zero();
     int width = 0;  ///< texels
     int height = 0; ///< texels

@@ -262,7 +262,7 @@ Ogre::MeshPtr MeshBuilder::build(const std::string& name) const {
                     "MeshBuilder::build");
     auto& meshes = Ogre::MeshManager::getSingleton();
     const Ogre::String& group = Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME;
-    // Whoever still shows the old mesh keeps it alive.
+    // Entities that still show the old mesh keep it alive.
     if (const Ogre::MeshPtr old = meshes.getByName(name, group)) meshes.remove(old);
     const Ogre::MeshPtr mesh = meshes.createManual(name, group);
     Ogre::SubMesh* part = mesh->createSubMesh();

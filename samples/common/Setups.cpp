@@ -11,7 +11,6 @@
 #include <OgreShadowCameraSetupLiSPSM.h>
 #include <OgreShadowCameraSetupPSSM.h>
 #include <OgreShadowCameraSetupPlaneOptimal.h>
-#include <OgreStringInterface.h>
 
 #include <stdexcept>
 
@@ -139,7 +138,7 @@ std::string describe(std::span<const Option> options) {
 const std::vector<NamedSetup>& shadowSetups() {
     static const std::vector<NamedSetup> setups = [] {
         std::vector<NamedSetup> all;
-        for (const Technique* const technique : techniques())
+        for (const FitTechnique* const technique : techniques())
             all.push_back(lixel(technique->name));
         all.insert(
             all.end(),
@@ -189,18 +188,17 @@ const NamedSetup* findEmulatedSetup(const std::string& name) {
 }
 
 NamedSetup withOptions(const NamedSetup& setup, const std::vector<std::string>& assignments) {
+    if (assignments.empty()) return setup;
     NamedSetup result = setup;
     result.create = [create = setup.create, assignments] {
         Ogre::ShadowCameraSetupPtr made = create();
-        auto* const options = dynamic_cast<Ogre::StringInterface*>(made.get());
+        auto& options = dynamic_cast<FittedShadowCameraSetup&>(*made);
         for (const std::string& assignment : assignments) {
             const std::size_t equals = assignment.find('=');
             if (equals == std::string::npos)
                 throw std::invalid_argument("'" + assignment + "' is not KEYWORD=VALUE");
             const std::string keyword = assignment.substr(0, equals);
-            if (options == nullptr ||
-                !options->setParameter(keyword, assignment.substr(equals + 1)))
-                throw std::invalid_argument("there is no option '" + keyword + "'");
+            options.setParameter(keyword, assignment.substr(equals + 1));
         }
         return made;
     };

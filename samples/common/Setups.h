@@ -42,7 +42,7 @@ const NamedSetup* findShadowSetup(const std::string& name);
 /// The same among emulatedSetups().
 const NamedSetup* findEmulatedSetup(const std::string& name);
 
-/** A setup whose options are set, as text: KEYWORD=VALUE each.
+/** One of Lixel's setups with options set, as text: KEYWORD=VALUE each.
 
     Its `create` throws std::invalid_argument or Ogre::InvalidParametersException, which say what
     is wrong. */

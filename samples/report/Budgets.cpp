@@ -19,7 +19,7 @@ namespace {
 constexpr int Frames = 30;
 constexpr double TurnPerFrame = 0.2 * std::numbers::pi / 180.0;
 
-/// Fits of which the fastest is counted: others may have been interrupted.
+/// Repeated fits. The fastest counts: others may have been interrupted.
 constexpr int Repetitions = 5;
 
 struct Budget {

@@ -86,7 +86,7 @@ private:
     BoxSet mBodies;
 };
 
-void measure(benchmark::State& state, const Technique& technique, LightKind kind, int objects) {
+void measure(benchmark::State& state, const FitTechnique& technique, LightKind kind, int objects) {
     Field field(kind, objects);
     const std::shared_ptr<void> options = technique.makeOptions(nullptr);
     FitState memory;
@@ -107,7 +107,7 @@ void measure(benchmark::State& state, const Technique& technique, LightKind kind
 
 int main(int argc, char** argv) {
     using namespace Lixel::Bench;
-    for (const Lixel::Technique* const technique : Lixel::techniques())
+    for (const Lixel::FitTechnique* const technique : Lixel::techniques())
         for (const Light& light : Lights)
             for (const int objects : Sizes) {
                 const std::string name =

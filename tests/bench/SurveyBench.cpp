@@ -323,7 +323,7 @@ int run(int argc, char** argv) {
     std::printf("Medians over %d frames in microseconds; one directional light\n\n", frames);
     std::printf("                                |walk of the scene                 |one shadow "
                 "camera           "
-                "|casters drawn|whole frame but for drawing\n");
+                "|casters drawn|whole frame without drawing\n");
     std::printf("scene   view     objects   seen | visible   survey  casters  ratio |  LiSPSM  "
                 "Uniform     XPSM "
                 "|LiSPSM   XPSM |    none   LiSPSM  Uniform     XPSM\n");

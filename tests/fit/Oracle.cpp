@@ -33,7 +33,7 @@ struct Bodies {
     /// The point of a body that is at `at` in the cube -1 to 1.
     Vec3 point(std::size_t index, const Vec3& at) const {
         const TurnedBox* const body = turned.find(index);
-        const Box box = body != nullptr ? body->box : boxes.box(index);
+        const Aabb box = body != nullptr ? body->box : boxes.box(index);
         const Vec3 offset = at.cwiseProduct(box.halfExtents);
         return box.centre + (body != nullptr ? Vec3(body->turn * offset) : offset);
     }
@@ -66,7 +66,7 @@ void appendHits(const Bodies& receivers, const Vec3& origin, const Vec3& directi
 
 } // namespace
 
-std::optional<Interval> rayInBox(const Box& box, const Vec3& origin, const Vec3& direction) {
+std::optional<Interval> rayInBox(const Aabb& box, const Vec3& origin, const Vec3& direction) {
     Interval hit{-Infinity, Infinity};
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const double middle = box.centre[axis] - origin[axis];

@@ -23,7 +23,7 @@ struct Interval {
     double begin;
     double end;
 };
-std::optional<Interval> rayInBox(const Box& box, const Vec3& origin, const Vec3& direction);
+std::optional<Interval> rayInBox(const Aabb& box, const Vec3& origin, const Vec3& direction);
 
 /// Whether the viewer's clip volume and shadow distance hold the point; bodies do not hide it.
 bool sees(const ShadowViewer& viewer, const Vec3& ws);

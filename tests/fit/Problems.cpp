@@ -11,7 +11,7 @@
 
 namespace Lixel {
 
-std::ostream& operator<<(std::ostream& out, const Box& box) {
+std::ostream& operator<<(std::ostream& out, const Aabb& box) {
     return out << "{" << box.centre.transpose() << " | " << box.halfExtents.transpose() << "}";
 }
 
@@ -28,8 +28,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Degree = std::numbers::pi / 180.0;
 
 /// Every third to tenth extent vanishes, so that flat, thin and point-like boxes are common.
-Box randomBox(Dice& dice, const Scene& scene, const Vec3& eye, const Vec3& forward) {
-    Box box;
+Aabb randomBox(Dice& dice, const Scene& scene, const Vec3& eye, const Vec3& forward) {
+    Aabb box;
     const double spread = scene.size * std::pow(10.0, dice.in(-0.5, 0.5));
     box.centre = eye + spread * dice.cube();
     if (dice.chance(0.5)) box.centre += 1.2 * spread * forward;
@@ -148,14 +148,14 @@ const TurnedBox* TurnedBoxes::find(std::size_t index) const {
     return found != all.end() && found->index == index ? &*found : nullptr;
 }
 
-const BodyHull* TurnedBoxes::hullOf(std::size_t index, Affine3& wsFromBody) const noexcept {
+const BodyHull* TurnedBoxes::hullOf(std::size_t index, Transform3& wsFromBody) const noexcept {
     const TurnedBox* const body = find(index);
     if (body == nullptr) return nullptr;
-    wsFromBody = Eigen::Translation3d(body->box.centre) * Affine3(body->turn);
+    wsFromBody = Eigen::Translation3d(body->box.centre) * Transform3(body->turn);
     return &body->hull;
 }
 
-void addTurned(const Box& box, const Mat3& turn, BoxSet& set, TurnedBoxes& turned) {
+void addTurned(const Aabb& box, const Mat3& turn, BoxSet& set, TurnedBoxes& turned) {
     const auto own = corners({Vec3::Zero(), box.halfExtents});
     turned.all.push_back({set.size(), box, turn, makeBodyHull(own)});
     set.add({box.centre, turn.cwiseAbs() * box.halfExtents});
@@ -174,7 +174,7 @@ ShadowProblem Scene::problem() const {
             .depthClamp = depthClamp};
 }
 
-void Scene::addBody(const Box& box) {
+void Scene::addBody(const Aabb& box) {
     casters.add(box);
     receivers.add(box);
 }
@@ -262,8 +262,8 @@ Scene scaled(const Scene& scene, double factor) {
                               TurnedBoxes& turnedTo) {
         to.clear();
         turnedTo.all.clear();
-        const auto scaledBox = [&](const Box& box) {
-            return Box{box.centre * factor, box.halfExtents * factor};
+        const auto scaledBox = [&](const Aabb& box) {
+            return Aabb{box.centre * factor, box.halfExtents * factor};
         };
         for (std::size_t i = 0; i < from.size(); ++i) {
             if (const TurnedBox* const body = turnedFrom.find(i))
@@ -309,7 +309,7 @@ rc::Gen<Scene> anyScene() {
         scene.depthClamp = dice.chance(0.6);
         if (dice.chance(0.5)) {
             const Vec3 half(20.0, dice.chance(0.5) ? 0.0 : 0.05, 20.0);
-            const Box ground{eye - 0.3 * scene.size * Vec3::UnitY(), half * scene.size};
+            const Aabb ground{eye - 0.3 * scene.size * Vec3::UnitY(), half * scene.size};
             scene.receivers.add(ground);
             if (dice.chance(0.5)) scene.casters.add(ground);
         }
@@ -318,7 +318,7 @@ rc::Gen<Scene> anyScene() {
             *rc::gen::nonEmpty(rc::gen::container<std::vector<std::uint64_t>>(anySeed()));
         for (std::size_t i = 0; i < std::min<std::size_t>(bodies.size(), 60); ++i) {
             Dice body(bodies[i]);
-            const Box box = randomBox(body, scene, eye, forward);
+            const Aabb box = randomBox(body, scene, eye, forward);
             const double role = body.in(0.0, 1.0);
             if (role < 0.8) scene.casters.add(box);
             if (role > 0.2) scene.receivers.add(box);
@@ -338,7 +338,7 @@ rc::Gen<Scene> anySceneOfHulls() {
         const auto turnSome = [&](BoxSet& set, TurnedBoxes& turned) {
             const BoxSet plain = set;
             set.clear();
-            for (const Box& box : plain.boxes()) {
+            for (const Aabb& box : plain.boxes()) {
                 // A body that casts and receives is turned alike.
                 Dice body(seed + std::bit_cast<std::uint64_t>(box.centre.x()));
                 if (body.chance(turns))
@@ -417,7 +417,7 @@ Mat4 roundedToFloat(const Mat4& m) {
 
 double inside(const ConvexVolume& volume, const Vec3& p) {
     double result = Infinity;
-    for (const Plane& plane : volume.planes())
+    for (const HalfSpace& plane : volume.planes())
         result = std::min(result, plane.distance(p));
     return result;
 }

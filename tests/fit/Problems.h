@@ -13,7 +13,7 @@
 
 namespace Lixel {
 
-std::ostream& operator<<(std::ostream& out, const Box& box);
+std::ostream& operator<<(std::ostream& out, const Aabb& box);
 std::ostream& operator<<(std::ostream& out, FitReason reason);
 
 } // namespace Lixel
@@ -26,7 +26,7 @@ struct TurnedBox {
     /// Of the set's box.
     std::size_t index = 0;
     /// Before it was turned.
-    Box box;
+    Aabb box;
     Mat3 turn = Mat3::Identity();
     BodyHull hull;
 };
@@ -36,11 +36,11 @@ struct TurnedBoxes final : BodyShapes {
     std::vector<TurnedBox> all;
 
     const TurnedBox* find(std::size_t index) const;
-    const BodyHull* hullOf(std::size_t index, Affine3& wsFromBody) const noexcept override;
+    const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
 };
 
 /// Adds a box that is turned to a set.
-void addTurned(const Box& box, const Mat3& turn, BoxSet& set, TurnedBoxes& turned);
+void addTurned(const Aabb& box, const Mat3& turn, BoxSet& set, TurnedBoxes& turned);
 
 /// A shadow problem that owns its bodies.
 struct Scene {
@@ -59,7 +59,7 @@ struct Scene {
 
     ShadowProblem problem() const;
     /// Adds a body that casts and receives.
-    void addBody(const Box& box);
+    void addBody(const Aabb& box);
 };
 
 /// Prints every number of the scene, so that a failure can be made an example.

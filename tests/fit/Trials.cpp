@@ -39,7 +39,7 @@ double drawNumber(const Option& option, Dice& dice) {
 PlaneOptimalOptions groundOf(const ShadowProblem& problem) {
     double lowest = std::numeric_limits<double>::infinity();
     if (problem.receivers != nullptr)
-        for (const Box& box : problem.receivers->boxes())
+        for (const Aabb& box : problem.receivers->boxes())
             lowest = std::min(lowest, box.centre.y() - box.halfExtents.y());
     PlaneOptimalOptions options;
     if (std::isfinite(lowest)) options.wsPlane.w() = -lowest;
@@ -66,7 +66,7 @@ std::ostream& operator<<(std::ostream& out, const Trial& trial) {
 const std::vector<Trial>& trials() {
     static const std::vector<Trial> all = [] {
         std::vector<Trial> made;
-        for (const Technique* const technique : techniques()) {
+        for (const FitTechnique* const technique : techniques()) {
             const std::string name(technique->name);
             made.push_back({name, technique, technique->makeOptions(nullptr)});
             for (const Option& option : technique->options) {

@@ -16,7 +16,7 @@ namespace Lixel::Test {
 /// A technique with options.
 struct Trial {
     std::string name;
-    const Technique* technique = nullptr;
+    const FitTechnique* technique = nullptr;
     std::shared_ptr<void> options;
 
     /// Whether whatever is seen has a place in the map. Exact plane optimal says what has none.

@@ -241,7 +241,7 @@ std::string describe(const Losses& losses) {
     if (!text.empty()) return text;
     if (losses.unserved > 0.0) return fmt::format("ok but serves {:.1f}", 100.0 - losses.unserved);
     if (losses.coarse > 0.0)
-        return fmt::format("ok but for floats ({:.1f} texels)", losses.worstApart);
+        return fmt::format("ok within floats ({:.1f} texels)", losses.worstApart);
     return "ok";
 }
 

@@ -109,11 +109,11 @@ std::vector<HardCase> lightCases() {
         s.sun(-s.viewer().getDerivedRight());
     });
     add("light along the view", alongView(1, 0));
-    add("light along the view but for 1e-6", alongView(1, 1e-6F));
-    add("light along the view but for 1e-3", alongView(1, 1e-3F));
+    add("light along the view, off by 1e-6", alongView(1, 1e-6F));
+    add("light along the view, off by 1e-3", alongView(1, 1e-3F));
     add("light against the view", alongView(-1, 0));
-    add("light against the view but for 1e-6", alongView(-1, 1e-6F));
-    add("light against the view but for 1e-3", alongView(-1, 1e-3F));
+    add("light against the view, off by 1e-6", alongView(-1, 1e-6F));
+    add("light against the view, off by 1e-3", alongView(-1, 1e-3F));
     add("caster 2000 units behind, sun at 10 degrees", [](HardScene& s) {
         s.addGround();
         const float slope = std::tan(Ogre::Degree(10).valueRadians());

@@ -47,7 +47,7 @@ struct ProbedMap {
     int height = 0;                                        ///< texels
 };
 
-/// Which of a light's maps, of which there is one at least, a receiver at that point of the world
+/// Which of a light's maps (there is at least one) a receiver at that point of the world
 /// reads.
 std::size_t servingMap(const std::vector<ProbedMap>& maps, const Eigen::Vector3d& ws);
 

@@ -39,7 +39,7 @@ struct Frame {
     /// Of each of them, as it is drawn with: positions are relative to the world's origin here.
     std::vector<ShadowFit> fits;
 
-    /// Whether there are maps, but for those that have nothing to show.
+    /// Whether there are maps, except those that have nothing to show.
     bool hasMaps() const {
         return std::ranges::any_of(fits, &ShadowFit::hasMap) &&
                std::ranges::all_of(

@@ -16,7 +16,7 @@ struct ForeignCase {
 
 class ForeignMaterials : public testing::TestWithParam<ForeignCase> {};
 
-/// The same shadows as in Lixel's materials, but for what another bias makes of their edges.
+/// The same shadows as in Lixel's materials, except what another bias makes of their edges.
 TEST_P(ForeignMaterials, ShowTheSameShadows) {
     const ForeignCase& foreign = GetParam();
     constexpr std::size_t Cascades = 3;

@@ -46,7 +46,7 @@ double tolerance(double depthError, double shadowDistance) {
     return 4.0 / SubTexels + depthError / (shadowDistance / MapSize);
 }
 
-/// Errors are counts of pixels, of which a few at corners go either way.
+/// Errors are counts of pixels; a few at corners go either way.
 constexpr double FewPixels = 5.0;
 
 /** A box from y = 1 to 2, 2 wide, over a ground at y = 0 that casts nothing, and the sun overhead.

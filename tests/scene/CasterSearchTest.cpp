@@ -356,7 +356,7 @@ protected:
         for (Ogre::MovableObject* object : node.getAttachedObjects()) {
             const auto* entity = dynamic_cast<Ogre::Entity*>(object);
             if (entity == nullptr || !entity->getVisible()) continue;
-            const Box box = relativeBox(entity->getWorldBoundingBox(), mSurvey.wsOrigin());
+            const Aabb box = relativeBox(entity->getWorldBoundingBox(), mSurvey.wsOrigin());
             if (entity->getCastShadows()) casters.add(box);
             if (entity->getSubEntity(0)->getMaterial() == flatMaterial(true) &&
                 view.classify(box) != ConvexVolume::Side::Outside)
@@ -374,24 +374,24 @@ INSTANTIATE_TEST_SUITE_P(SceneManager, RandomSceneTest,
                          testing::Values(DefaultManager, OctreeManager, OtherManager),
                          [](const auto& test) { return test.param; });
 
-void sortBoxes(std::vector<Box>& boxes) {
-    const auto key = [](const Box& box) {
+void sortBoxes(std::vector<Aabb>& boxes) {
+    const auto key = [](const Aabb& box) {
         return std::tuple(box.centre.x(), box.centre.y(), box.centre.z(), box.halfExtents.x());
     };
     std::sort(boxes.begin(), boxes.end(),
-              [&](const Box& a, const Box& b) { return key(a) < key(b); });
+              [&](const Aabb& a, const Aabb& b) { return key(a) < key(b); });
 }
 
-bool contains(const BoxSet& set, const Box& box) {
-    return std::ranges::any_of(set.boxes(), [&](const Box& other) {
+bool contains(const BoxSet& set, const Aabb& box) {
+    return std::ranges::any_of(set.boxes(), [&](const Aabb& other) {
         return other.centre == box.centre && other.halfExtents == box.halfExtents;
     });
 }
 
 void expectSame(const BoxSet& found, const BoxSet& expected) {
-    std::vector<Box> a;
+    std::vector<Aabb> a;
     std::ranges::copy(found.boxes(), std::back_inserter(a));
-    std::vector<Box> b;
+    std::vector<Aabb> b;
     std::ranges::copy(expected.boxes(), std::back_inserter(b));
     ASSERT_EQ(a.size(), b.size());
     sortBoxes(a);
@@ -429,7 +429,7 @@ TEST_P(RandomSceneTest, FitsSayTheSameAsWithAllCasters) {
             all += casters.boxes().size();
             found += some.boxes().size();
             // Who is left out would make no map if it were alone in the scene either.
-            for (const Box& box : casters.boxes()) {
+            for (const Aabb& box : casters.boxes()) {
                 if (contains(some, box)) continue;
                 BoxSet alone;
                 alone.add(box);

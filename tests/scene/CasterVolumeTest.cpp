@@ -121,7 +121,7 @@ protected:
         BoxSet receivers;
         receivers.add({Vec3(0.0, -5.0, 0.0), Vec3(result.size, dice.in(0.0, 1.0), result.size)});
         for (int i = 0; i < 10; ++i) {
-            const Box box{30.0 * dice.cube(), dice.in(0.1, 3.0) * (dice.cube() + Vec3::Ones())};
+            const Aabb box{30.0 * dice.cube(), dice.in(0.1, 3.0) * (dice.cube() + Vec3::Ones())};
             casters.add(box);
             receivers.add(box);
         }

@@ -14,7 +14,7 @@ namespace Lixel::Tests {
 inline const std::string DefaultManager = "DefaultSceneManager";
 inline const std::string OctreeManager = "OctreeSceneManager";
 
-/// A scene manager of an application's own, of which nothing is known but its scene graph.
+/// A scene manager of an application's own: nothing is known of it except its scene graph.
 inline const std::string OtherManager = "OtherSceneManager";
 
 /// OGRE with the GL3+ render system, both of its scene managers and another, and a tiny window

@@ -191,7 +191,7 @@ double heightOf(const BodyHull& hull) {
 /// As surveys see it, one in each frame.
 TEST_P(MeshReadingTest, TheBoxHasToDoUntilItIsRead) {
     show(makeLand());
-    Affine3 wsFromBody;
+    Transform3 wsFromBody;
     takeSurvey();
     ASSERT_EQ(mSurvey.receivers().size(), 1U);
     EXPECT_EQ(mSurvey.receiverShapes().hullOf(0, wsFromBody), nullptr);
@@ -311,7 +311,7 @@ TEST_P(MeshReadingTest, PreparedItIsThereAtOnce) {
     ASSERT_NE(cloud, nullptr);
     EXPECT_EQ(shared.bytesRead(), before);
     // For surveys too.
-    Affine3 wsFromBody;
+    Transform3 wsFromBody;
     takeSurvey();
     EXPECT_EQ(mSurvey.receiverShapes().hullOf(0, wsFromBody), hull);
     const BodyHull* found = nullptr;

@@ -78,7 +78,7 @@ protected:
         takeSurvey();
         EXPECT_EQ(mSurvey.receivers().size(), 1U);
         EXPECT_EQ(allCasters().size(), 1U);
-        Affine3 ofCaster;
+        Transform3 ofCaster;
         const BodyHull* const caster = mSearch.shapes().hullOf(0, ofCaster);
         const BodyHull* const receiver = mSurvey.receiverShapes().hullOf(0, mWsFromBody);
         EXPECT_EQ(caster, receiver);
@@ -88,7 +88,7 @@ protected:
         return receiver;
     }
 
-    Affine3 mWsFromBody;
+    Transform3 mWsFromBody;
 
 private:
     std::vector<Ogre::MeshPtr> mMeshes;
@@ -197,7 +197,7 @@ TEST_P(SurfaceCloudsTest, AreOfWhatTheViewerStandsInOrNear) {
     ASSERT_EQ(mSurvey.receivers().size(), 2U);
     ASSERT_EQ(mSurvey.surfaces().size(), 1U);
     const KnownSurface& surface = mSurvey.surfaces().front();
-    const Box box = mSurvey.receivers().box(surface.receiver);
+    const Aabb box = mSurvey.receivers().box(surface.receiver);
     EXPECT_NEAR(box.halfExtents.x(), 20.0, 1e-3);
     ASSERT_EQ(surface.cloud->surfels.size(), MeshShapes::Discs);
     for (const Surfel& disc : surface.cloud->surfels)

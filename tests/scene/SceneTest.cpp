@@ -85,7 +85,7 @@ Ogre::Light* SceneTest::addSun(const Ogre::ShadowCameraSetupPtr& setup,
     return sun;
 }
 
-Ogre::AxisAlignedBox worldBox(const Box& box, const Vec3& wsOrigin) {
+Ogre::AxisAlignedBox worldBox(const Aabb& box, const Vec3& wsOrigin) {
     const Vec3 lower = wsOrigin + box.centre - box.halfExtents;
     const Vec3 upper = wsOrigin + box.centre + box.halfExtents;
     const auto real = [](double x) { return static_cast<Ogre::Real>(x); };
@@ -94,7 +94,7 @@ Ogre::AxisAlignedBox worldBox(const Box& box, const Vec3& wsOrigin) {
 }
 
 bool holds(const BoxSet& set, const Survey& survey, const Ogre::MovableObject& object) {
-    for (const Box& box : set.boxes())
+    for (const Aabb& box : set.boxes())
         if (worldBox(box, survey.wsOrigin()) == object.getWorldBoundingBox(true)) return true;
     return false;
 }

@@ -58,7 +58,7 @@ protected:
 };
 
 /// A box of a set, back in the world.
-Ogre::AxisAlignedBox worldBox(const Box& box, const Vec3& wsOrigin);
+Ogre::AxisAlignedBox worldBox(const Aabb& box, const Vec3& wsOrigin);
 
 /// Whether the set holds the object's box as it is now, to a float's rounding.
 bool holds(const BoxSet& set, const Survey& survey, const Ogre::MovableObject& object);

@@ -15,7 +15,7 @@ namespace {
 
 struct Seen {
     const Ogre::Camera* viewer;
-    std::vector<Box> casters;
+    std::vector<Aabb> casters;
     Vec3 wsOrigin;
     double microseconds;
 };
@@ -28,7 +28,7 @@ protected:
         [this](const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
             const TimedSurvey& timed = surveyFor(viewer, viewport, mDistance);
             Seen seen{&viewer, {}, timed.survey.wsOrigin(), timed.microseconds};
-            for (const Box& box : mSearch.findAll(timed.survey).boxes())
+            for (const Aabb& box : mSearch.findAll(timed.survey).boxes())
                 seen.casters.push_back(box);
             mSeen.push_back(std::move(seen));
         });

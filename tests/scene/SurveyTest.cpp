@@ -271,7 +271,7 @@ TEST_P(SurveyTest, FindsStaticGeometry) {
     ASSERT_GE(allCasters().boxes().size(), 1U);
     EXPECT_EQ(mSurvey.receivers().boxes().size(), allCasters().boxes().size());
     Ogre::AxisAlignedBox all;
-    for (const Box& box : allCasters().boxes())
+    for (const Aabb& box : allCasters().boxes())
         all.merge(worldBox(box, mSurvey.wsOrigin()));
     EXPECT_TRUE(all.contains(Ogre::AxisAlignedBox(-0.5f, -0.5f, -20.5f, 9.5f, 0.5f, -19.5f)));
     geometry->setCastShadows(false);
@@ -395,7 +395,7 @@ TEST_P(SurveyTest, IsExactFarFromTheWorldsOrigin) {
     takeSurvey();
     EXPECT_EQ(mSurvey.wsOrigin(), toDouble(far) + Vec3(0.125, 0, 0));
     ASSERT_EQ(allCasters().boxes().size(), 1U);
-    const Box& box = allCasters().boxes()[0];
+    const Aabb& box = allCasters().boxes()[0];
     EXPECT_EQ(box.centre.x(), 2.875);
     EXPECT_EQ(box.centre.z(), -10.25);
     EXPECT_EQ(box.halfExtents.x(), 0.5);

@@ -3,12 +3,23 @@
 #include "SpoiltLight.h"
 #include "TestStage.h"
 
+#include <OgreException.h>
+
 namespace Lixel::Tests {
 namespace {
 
 const Ogre::Vector3 InShadow(-2, 0, 0);
 /// OGRE knows it by PluginFolder of plugins.cfg, "/", and the path there.
 const Ogre::String Plugin = "/" LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
+
+/// Options as text, whose dictionary goes with Root.
+void expectOptionsWork(const Ogre::ShadowCameraSetupPtr& setup) {
+    auto& fitted = dynamic_cast<FittedShadowCameraSetup&>(*setup);
+    EXPECT_TRUE(fitted.setParameter("filter_radius", "1"));
+    EXPECT_EQ(fitted.getParameter("filter_radius"), "1");
+    EXPECT_GT(fitted.getParameters().size(), CommonOptions::declared().size());
+    EXPECT_THROW(fitted.setParameter("filter_radius", "-1"), Ogre::InvalidParametersException);
+}
 
 class OutlivingSetup : public testing::TestWithParam<std::string> {};
 
@@ -19,6 +30,7 @@ TEST_P(OutlivingSetup, MayGoAfterRoot) {
         scene.stage.setShadowSetup(setup);
         EXPECT_LT(scene.visibilityAt(InShadow), 128);
     }
+    expectOptionsWork(setup);
     setup.reset();
 }
 
@@ -28,6 +40,7 @@ TEST_P(OutlivingSetup, MayBeUsedWithANewRoot) {
         BoxOnGround scene("", "Uniform");
         scene.stage.setShadowSetup(setup);
         EXPECT_LT(scene.visibilityAt(InShadow), 128);
+        expectOptionsWork(setup);
     }
 }
 

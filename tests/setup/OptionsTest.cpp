@@ -140,7 +140,15 @@ TEST_P(EveryKind, TakesAllOfItsOptionsAsText) {
             EXPECT_EQ(setup->getParameter(keyword), after);
         }
     }
-    EXPECT_FALSE(setup->setParameter("no_such_option", "1"));
+    const std::string said = refusal([&] { setup->setParameter("noSuchOption", "1"); });
+    EXPECT_NE(said.find("'noSuchOption' of " + std::string(GetParam().name)), std::string::npos);
+    EXPECT_NE(said.find("filter_radius"), std::string::npos) << said;
+    EXPECT_EQ(setup->getParameter("noSuchOption"), "");
+    // As whoever knows OGRE's class alone sets them.
+    Ogre::StringInterface& plain = *setup;
+    EXPECT_TRUE(plain.setParameter("filter_radius", "3"));
+    EXPECT_EQ(plain.getParameter("filter_radius"), "3");
+    EXPECT_FALSE(plain.setParameter("noSuchOption", "1"));
 }
 
 TEST_P(EveryKind, IsFoundByItsName) {
@@ -175,7 +183,7 @@ TEST(Options, AreCheckedAsAWhole) {
               std::string::npos);
 }
 
-/// An instance of OGRE's is one of ours, whoever made it.
+/// What is made by name can be cast to its class.
 TEST(Options, SetupsByNameAreOfTheirClass) {
     EXPECT_NE(std::dynamic_pointer_cast<XPSMShadowCameraSetup>(findSetupKind("XPSM")->create()),
               nullptr);

@@ -18,7 +18,7 @@ struct SetupRecipe {
     /// Changes the options of a setup of this kind.
     void apply(Ogre::ShadowCameraSetup& setup) const;
     std::string name() const;
-    /// Whether its shadows should be exact but for texels: one of Lixel's that serves everything.
+    /// Whether its shadows should be exact up to a texel: one of Lixel's that serves everything.
     bool isExact() const;
     /// Whether it serves everything only with a map for each of its parts.
     bool isCube() const;

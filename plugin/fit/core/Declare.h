@@ -18,9 +18,9 @@ namespace Lixel {
     @param options must outlive the technique
 */
 template <typename Options, auto rule>
-constexpr Technique declare(std::string_view name, std::string_view title, std::string_view paper,
-                            std::span<const Option> options) {
-    Technique technique;
+constexpr FitTechnique declare(std::string_view name, std::string_view title,
+                               std::string_view paper, std::span<const Option> options) {
+    FitTechnique technique;
     technique.name = name;
     technique.title = title;
     technique.paper = paper;

@@ -23,7 +23,7 @@ struct SearchMemory {
 /// What outlives a frame. A fit without it is as valid; only the choice among equally good maps may
 /// differ.
 struct FitMemory {
-    /// The last map's x axis, as a direction in the world: light space itself may turn about the
+    /// The last map's x axis, as a direction in the world: light space itself may rotate about the
     /// light from one frame to the next.
     std::optional<Vec3> wsMapAxis;
     std::optional<SearchMemory> search;

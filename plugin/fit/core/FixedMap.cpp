@@ -14,29 +14,15 @@ constexpr double OnTheEdge = 1e-12;
 /// Least size of one row of a map beside the others: a float's exponents end at 2^-126, 1e-38.
 constexpr double LeastRow = 1e-30;
 
-/// Cuts a convex polygon to covector . (q, 1) >= 0 (Sutherland and Hodgman).
-/// @return whether anything was cut off
+/// Cuts a convex polygon to covector . (q, 1) >= 0. @return whether anything was cut off
 bool cut(const Polygon2& polygon, const Vec3& covector, Polygon2& result) {
-    result.clear();
     const auto at = [&](const Vec2& q) { return covector.dot(q.homogeneous()); };
     double greatest = 0.0;
     for (const Vec2& q : polygon)
         greatest = std::max(greatest, std::abs(at(q)));
     const double slack = OnTheEdge * greatest;
-    bool isCut = false;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2& a = polygon[i];
-        const Vec2& b = polygon[(i + 1) % polygon.size()];
-        const double atA = at(a);
-        const double atB = at(b);
-        if (atA >= -slack)
-            result.push_back(a);
-        else
-            isCut = true;
-        if ((atA > slack && atB < -slack) || (atA < -slack && atB > slack))
-            result.push_back(a + atA / (atA - atB) * (b - a));
-    }
-    return isCut;
+    return clipBy(
+        polygon, [&](const Vec2& q) { return at(q) + slack; }, result);
 }
 
 /// Whether it is a map, and still one in float.

@@ -103,7 +103,7 @@ Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const 
     const Vec2 size(problem.mapWidth, problem.mapHeight);
     OrientedRectangle rectangle = smallestRectangle(warped);
     std::optional<OrientedRectangle> last = lastRectangle(warped, image, wsLastAxis);
-    // Where the two are one but for rounding, the one that a fresh state finds is taken; and a kept
+    // Where the two are the same up to rounding, the one that a fresh state finds is taken. A kept
     // axis stays as it is: nothing may creep while nothing moves.
     if (last && !(last->area() > rectangle.area() * (1.0 + SameArea))) last.reset();
     const bool small = last && last->area() * (1.0 - OrientationGain) <= rectangle.area();

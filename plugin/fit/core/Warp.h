@@ -38,9 +38,9 @@ double pullIntoSafeSet(const Polygon2& hull, const Vec2& centre, double thicknes
 
 /** The warp whose denominator is an oriented covector's: h . (q, 1) = k (1 + w . (q - c)), k > 0.
 
-    A covector that is not positive at the centre, or hardly so, is no such warp; what is given then
-    runs in its direction, and is longer than any safe one. Pulled into the safe set, the result is
-    continuous in h as long as h is not the same all over the plane.
+    A covector that is not positive at the centre, or hardly positive, is no such warp. The result
+    then has the covector's direction and is longer than any safe warp. Pulled into the safe set,
+    the result is continuous in h as long as h is not the same all over the plane.
 */
 Vec2 warpOf(const Vec3& covector, const Polygon2& hull, const Vec2& centre);
 

@@ -9,7 +9,7 @@
 /// What collecting receivers and collecting casters have in common.
 namespace Lixel {
 
-/** Calls `add` for the boxes of a set and their origins, but for those in `within(block)`, a set of
+/** Calls `add` for the boxes of a set and their origins, except those in `within(block)`, a set of
     lanes as bits which may grow where `add` returns true. The largest comes first: it is the
     likeliest to spare the others. */
 template <typename Within, typename Add>
@@ -35,7 +35,7 @@ void addAllBut(const BoxSet& boxes, const Within& within, const Add& add) {
 /// A body's hull, if it is known, and where it is.
 struct PlacedHull {
     const BodyHull* hull = nullptr;
-    Affine3 wsFromBody;
+    Transform3 wsFromBody;
 
     PlacedHull(const BodyShapes* shapes, std::size_t index) {
         if (shapes != nullptr) hull = shapes->hullOf(index, wsFromBody);
@@ -44,7 +44,7 @@ struct PlacedHull {
 
     /// Leaves in the scratch memory the vertices of what the volume leaves of the body: of its
     /// hull, if it is known, else of its box.
-    void clip(const Box& box, const ConvexVolume& volume, FocusScratch& scratch) const {
+    void clip(const Aabb& box, const ConvexVolume& volume, FocusScratch& scratch) const {
         scratch.wsPoints.clear();
         if (hull != nullptr)
             clipHull(*hull, wsFromBody, volume, scratch.clip, scratch.wsPoints);
@@ -59,7 +59,7 @@ void forClipped(const ShadowProblem& problem, const LightImage& image, const Foc
                 const Visit& visit) {
     for (const Vec3& ws : scratch.wsPoints) {
         const Vec3 ls = image.lsFromPoint(ws);
-        // A clipped vertex lies on the near plane but for rounding; nothing is divided by less.
+        // A clipped vertex lies on the near plane, up to rounding; nothing is divided by less.
         if (!image.directional() && -ls.z() < 0.5 * problem.light.nearDistance) continue;
         visit(ws, ls);
     }

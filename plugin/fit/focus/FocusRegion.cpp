@@ -26,7 +26,7 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
     VisibleReceivers visible(problem, image, lit, scratch, region.receiversInView);
     visible.addAll(receivers);
     if (receivers.unbounded() > 0) {
-        Box everything;
+        Aabb everything;
         if (!viewBounds(problem.viewer, everything)) return stop(FitReason::Unbounded);
         visible.addClipped(everything);
         region.reason = FitReason::UnboundedBody;

@@ -14,7 +14,7 @@ struct FocusScratch {
     /// What is left of receivers or casters after the first questions.
     BoxSet nearly;
     /// Half spaces that boxes are asked about.
-    std::vector<Plane> planes;
+    std::vector<HalfSpace> planes;
     std::vector<Vec3> wsPoints;
     std::vector<Vec2> points;
     ImageHull receivers;

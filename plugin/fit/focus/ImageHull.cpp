@@ -10,7 +10,7 @@ namespace Lixel {
 namespace {
 
 /// A point no farther beyond an edge than this part of the largest coordinate, some units in its
-/// last place, is on it: or copies of one point but for rounding would make edges that run
+/// last place, is on it: otherwise copies of one point, up to rounding, would make edges that run
 /// anywhere.
 constexpr double OnEdge = 0x1p-50;
 
@@ -139,7 +139,7 @@ void ImageHull::reset(const LightImage& image) {
     ++mRevision;
 }
 
-Plane ImageHull::edgePlane(const Vec2& from, const Vec2& to) const {
+HalfSpace ImageHull::edgePlane(const Vec2& from, const Vec2& to) const {
     const Vec2 edge = to - from;
     // cross(edge, q - from) >= 0 for q = (x, y), or for q = (x, y) / -z with -z multiplied out.
     const double at = cross(edge, from);
@@ -241,7 +241,7 @@ std::size_t ImageHull::replaceBefore(std::size_t end, std::size_t count, const V
     const std::size_t at = end > 0 ? end - front : mHull.size();
     if (front == 0) {
         mHull.insert(mHull.begin() + shift(at), point);
-        mEdges.insert(mEdges.begin() + shift(at), Plane());
+        mEdges.insert(mEdges.begin() + shift(at), HalfSpace());
     } else {
         mHull[at] = point;
         mHull.erase(mHull.begin() + shift(at + 1), mHull.begin() + shift(end));
@@ -250,7 +250,7 @@ std::size_t ImageHull::replaceBefore(std::size_t end, std::size_t count, const V
     return at;
 }
 
-std::array<Vec2, 8> boxImage(const LightImage& image, const Box& box) {
+std::array<Vec2, 8> boxImage(const LightImage& image, const Aabb& box) {
     const Vec3 centre = image.lsFromPoint(box.centre);
     const Mat3 sides = image.lsFromWs() * box.halfExtents.asDiagonal();
     std::array<Vec2, 8> result;

@@ -22,12 +22,12 @@ public:
     const Polygon2& hull() const { return mHull; }
     /// For each edge, from its vertex on, the half space of rays on its inner side; none where the
     /// hull has no area. A local light's box that lies in all of them lies in front of the light.
-    std::span<const Plane> edges() const { return mEdges; }
+    std::span<const HalfSpace> edges() const { return mEdges; }
     /// Counts how often the hull has changed.
     std::size_t revision() const { return mRevision; }
 
 private:
-    Plane edgePlane(const Vec2& from, const Vec2& to) const;
+    HalfSpace edgePlane(const Vec2& from, const Vec2& to) const;
     void addOne(const Vec2& point);
     /// Finds the hull of its vertices and more points anew.
     void rebuild(std::span<const Vec2> points);
@@ -38,7 +38,7 @@ private:
 
     LightImage mImage;
     Polygon2 mHull;
-    std::vector<Plane> mEdges;
+    std::vector<HalfSpace> mEdges;
     /// The largest coordinate of the hull's vertices.
     double mCoordinate = 0.0;
     double mTwiceArea = 0.0;
@@ -54,6 +54,6 @@ private:
 };
 
 /// The image of a box's eight corners; all of them must be in front of a local light.
-std::array<Vec2, 8> boxImage(const LightImage& image, const Box& box);
+std::array<Vec2, 8> boxImage(const LightImage& image, const Aabb& box);
 
 } // namespace Lixel

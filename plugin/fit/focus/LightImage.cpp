@@ -8,7 +8,7 @@ LightImage::LightImage(const ShadowLight& light)
     : mWsEye(light.kind == LightKind::Directional ? Vec3(Vec3::Zero()) : light.wsPosition),
       mDirectional(light.kind == LightKind::Directional) {
     // Orthonormal basis from one vector: Duff et al., "Building an Orthonormal Basis, Revisited"
-    // (2017), listing 3. Continuous but for one jump where z of the direction changes its sign.
+    // (2017), listing 3. Continuous, except for one jump where z of the direction changes its sign.
     const Vec3 z = -light.wsDirection.stableNormalized();
     const double sign = std::copysign(1.0, z.z());
     const double a = -1.0 / (sign + z.z());

@@ -20,14 +20,14 @@ struct Gauge {
 
     Gauge(const Vec3& n, double d) : normal(n), absolute(n.cwiseAbs()), offset(d) {}
     double at(const Vec3& ws) const { return normal.dot(ws) + offset; }
-    Vec2 over(const Box& box) const {
+    Vec2 over(const Aabb& box) const {
         const double middle = at(box.centre);
         const double reach = absolute.dot(box.halfExtents);
         return {middle - reach, middle + reach};
     }
     /// The half spaces of values from `least` on, and up to `greatest`.
-    Plane from(double least) const { return {normal, offset - least}; }
-    Plane to(double greatest) const { return {-normal, greatest - offset}; }
+    HalfSpace from(double least) const { return {normal, offset - least}; }
+    HalfSpace to(double greatest) const { return {-normal, greatest - offset}; }
 };
 
 /// Distance from the light along its axis.

@@ -24,8 +24,8 @@ RelevantCasters::RelevantCasters(const ShadowProblem& problem, const LightImage&
 
 void RelevantCasters::addAll(const BoxSet& casters) {
     // What is beside all receivers or behind them. The first edges to ask are apart.
-    const std::span<const Plane> edges = mReceivers.edges();
-    std::vector<Plane>& planes = mScratch.planes;
+    const std::span<const HalfSpace> edges = mReceivers.edges();
+    std::vector<HalfSpace>& planes = mScratch.planes;
     planes.clear();
     const std::size_t step = (edges.size() + 2) / 3;
     for (std::size_t begin = 0; begin < step; ++begin)
@@ -37,7 +37,7 @@ void RelevantCasters::addAll(const BoxSet& casters) {
     planes.clear();
     addAllBut(
         mScratch.kept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
-        [this](const Box& box, std::size_t index) {
+        [this](const Aabb& box, std::size_t index) {
             const std::size_t revision = mScratch.casters.revision();
             const double lsNear = mLsNear;
             add(box, index);
@@ -57,13 +57,13 @@ unsigned RelevantCasters::lanesWithin(const BoxSet::Block& block) {
     if (lanes == 0 ||
         (!mImage.directional() && mLsNear <= mProblem.light.nearDistance * (1.0 + TouchingSlack)))
         return lanes;
-    const Plane beyondNearest = mLsDepth.from(mLsNear);
+    const HalfSpace beyondNearest = mLsDepth.from(mLsNear);
     return lanes & lanesInside(block, {&beyondNearest, 1});
 }
 
 void RelevantCasters::findInnerEdges() {
     const Polygon2& inner = mScratch.casters.hull();
-    const std::span<const Plane> edges = mScratch.casters.edges();
+    const std::span<const HalfSpace> edges = mScratch.casters.edges();
     mScratch.planes.clear();
     for (std::size_t i = 0; i < inner.size(); ++i) {
         const Vec2& next = inner[i + 1 < inner.size() ? i + 1 : 0];
@@ -71,7 +71,7 @@ void RelevantCasters::findInnerEdges() {
     }
 }
 
-void RelevantCasters::add(const Box& box, std::size_t index) {
+void RelevantCasters::add(const Aabb& box, std::size_t index) {
     const ConvexVolume::Side side = mLit.classify(box);
     if (side == ConvexVolume::Side::Outside) return;
     double nearest = mLsDepth.over(box).x();
@@ -94,9 +94,9 @@ void RelevantCasters::add(const Box& box, std::size_t index) {
     mScratch.casters.add(mScratch.points);
 }
 
-bool RelevantCasters::clipToReceivers(const Box& box) {
+bool RelevantCasters::clipToReceivers(const Aabb& box) {
     const Polygon2& outer = mReceivers.hull();
-    const std::span<const Plane> edges = mReceivers.edges();
+    const std::span<const HalfSpace> edges = mReceivers.edges();
     std::vector<Vec2>& points = mScratch.points;
     Polygon2& caster = mScratch.caster;
     if (edges.empty()) {

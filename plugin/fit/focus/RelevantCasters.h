@@ -30,11 +30,11 @@ private:
     /// Leaves the edges along the receivers' hull out: nothing that is kept reaches beyond them.
     void findInnerEdges();
     /// @param index of the body in the problem's set
-    void add(const Box& box, std::size_t index);
+    void add(const Aabb& box, std::size_t index);
     /// Of each caster only what covers visible receivers: one that touches them with a corner then
     /// joins the region with that corner, and not with all of itself.
     /// @return whether anything is left of the points
-    bool clipToReceivers(const Box& box);
+    bool clipToReceivers(const Aabb& box);
 
     const ShadowProblem& mProblem;
     const LightImage& mImage;

@@ -42,7 +42,7 @@ Mat4 withDepthAhead(const Mat4& clipFromView) {
     return result;
 }
 
-bool viewBounds(const ShadowViewer& viewer, Box& box) {
+bool viewBounds(const ShadowViewer& viewer, Aabb& box) {
     const Mat4 clipFromWorld = withDepthAhead(viewer.clipFromView) * viewer.viewFromWorld;
     const Mat4 worldFromClip = clipFromWorld.inverse();
     Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());

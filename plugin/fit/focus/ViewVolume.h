@@ -21,6 +21,6 @@ Mat4 withDepthAhead(const Mat4& clipFromView);
 
 /// Finds a box that holds what the viewer sees, for bodies without bounds.
 /// @return false where the view has no bounds either
-bool viewBounds(const ShadowViewer& viewer, Box& box);
+bool viewBounds(const ShadowViewer& viewer, Aabb& box);
 
 } // namespace Lixel

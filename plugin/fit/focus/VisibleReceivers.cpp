@@ -36,7 +36,7 @@ void VisibleReceivers::addAll(const BoxSet& receivers) {
     keepReaching(receivers, mSeen.planes(), mScratch.nearly, mInView);
     addAllBut(
         mInView, [this](const BoxSet::Block& block) { return lanesWithin(block); },
-        [this](const Box& box, std::size_t index) {
+        [this](const Aabb& box, std::size_t index) {
             const std::size_t revision = mScratch.receivers.revision();
             const Vec2 lsRange = mLsRange;
             const Vec2 vsRange = mVsRange;
@@ -46,7 +46,7 @@ void VisibleReceivers::addAll(const BoxSet& receivers) {
         });
 }
 
-void VisibleReceivers::add(const Box& box, std::size_t index) {
+void VisibleReceivers::add(const Aabb& box, std::size_t index) {
     const ConvexVolume::Side side = mSeen.classify(box);
     if (side == ConvexVolume::Side::Outside) return;
     const PlacedHull body(mProblem.receiverShapes, index);
@@ -55,7 +55,7 @@ void VisibleReceivers::add(const Box& box, std::size_t index) {
     addPoints();
 }
 
-void VisibleReceivers::addClipped(const Box& box) {
+void VisibleReceivers::addClipped(const Aabb& box) {
     PlacedHull(nullptr, 0).clip(box, mSeen, mScratch);
     addPoints();
 }
@@ -65,12 +65,13 @@ unsigned VisibleReceivers::lanesWithin(const BoxSet::Block& block) const {
     if (hull.edges().empty()) return 0;
     const unsigned lanes = lanesInside(block, hull.edges());
     if (lanes == 0) return 0;
-    const std::array<Plane, 4> ranges = {mLsDepth.from(mLsRange.x()), mLsDepth.to(mLsRange.y()),
-                                         mVsDepth.from(mVsRange.x()), mVsDepth.to(mVsRange.y())};
+    const std::array<HalfSpace, 4> ranges = {mLsDepth.from(mLsRange.x()), mLsDepth.to(mLsRange.y()),
+                                             mVsDepth.from(mVsRange.x()),
+                                             mVsDepth.to(mVsRange.y())};
     return lanes & lanesInside(block, ranges);
 }
 
-void VisibleReceivers::addCorners(const Box& box) {
+void VisibleReceivers::addCorners(const Aabb& box) {
     const Vec2 ls = mLsDepth.over(box);
     const Vec2 vs = mVsDepth.over(box);
     include(mLsRange, ls.x(), ls.y());

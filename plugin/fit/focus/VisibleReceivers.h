@@ -17,7 +17,7 @@ public:
 
     void addAll(const BoxSet& receivers);
     /// Adds what is visible of a box that is no body of the problem's.
-    void addClipped(const Box& box);
+    void addClipped(const Aabb& box);
 
     /// Hull of what was added, in the light image.
     const ImageHull& hull() const { return mScratch.receivers; }
@@ -28,12 +28,12 @@ public:
 private:
     static constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-    /// The lanes of boxes of which all, in view or not, lies within what was added already.
+    /// The lanes of boxes that lie as a whole, in view or not, within what was added already.
     unsigned lanesWithin(const BoxSet::Block& block) const;
     /// Adds what is visible of a body.
     /// @param index of it in the problem's set
-    void add(const Box& box, std::size_t index);
-    void addCorners(const Box& box);
+    void add(const Aabb& box, std::size_t index);
+    void addCorners(const Aabb& box);
     void addPoints();
 
     const ShadowProblem& mProblem;

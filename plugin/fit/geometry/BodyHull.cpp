@@ -10,8 +10,8 @@
 namespace Lixel {
 namespace {
 
-/// Vertices nearer to each other than this part of the body's size are one, but for rounding: cuts
-/// through one vertex leave several of them.
+/// Vertices nearer to each other than this part of the body's size are the same, up to rounding:
+/// cuts through one vertex leave several of them.
 constexpr double SameVertex = 0x1p-42;
 
 /// By how much the hull is larger in the end, so that nothing is outside for rounding.
@@ -132,7 +132,7 @@ BodyHull BodyHullBuilder::build() const {
     const Vec3 upper(-mLeast[4], -mLeast[10], -mLeast[12]);
     const Vec3 lower(-mMost[4], -mMost[10], -mMost[12]);
     const Eigen::AlignedBox3d bounds(lower, upper);
-    const Box box{bounds.center(), bounds.sizes() / 2.0};
+    const Aabb box{bounds.center(), bounds.sizes() / 2.0};
 
     // The half spaces around the points whose normals run towards the box's edges and corners.
     ConvexVolume bevels;
@@ -182,7 +182,7 @@ BodyHull makeBodyHull(std::span<const Vec3> positions) {
     return builder.build();
 }
 
-void clipHull(const BodyHull& hull, const Affine3& wsFromBody, const ConvexVolume& volume,
+void clipHull(const BodyHull& hull, const Transform3& wsFromBody, const ConvexVolume& volume,
               ClipScratch& scratch, std::vector<Vec3>& points) {
     scratch.vertices.clear();
     for (const Vec3& vertex : hull.vertices)

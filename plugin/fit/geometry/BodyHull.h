@@ -50,7 +50,7 @@ private:
 };
 
 /// Appends the vertices of hull ∩ volume to `points`.
-void clipHull(const BodyHull& hull, const Affine3& wsFromBody, const ConvexVolume& volume,
+void clipHull(const BodyHull& hull, const Transform3& wsFromBody, const ConvexVolume& volume,
               ClipScratch& scratch, std::vector<Vec3>& points);
 
 /// What is known of the bodies of a set beyond their boxes. A fit asks for those few that its map
@@ -63,7 +63,7 @@ public:
         @param wsFromBody is set to world axes relative to the problem's origin, from the hull's
                space
         @return null where the box is all that is known, or hardly larger */
-    virtual const BodyHull* hullOf(std::size_t index, Affine3& wsFromBody) const noexcept = 0;
+    virtual const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept = 0;
 };
 
 } // namespace Lixel

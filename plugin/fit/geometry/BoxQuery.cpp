@@ -26,14 +26,14 @@ struct Reach {
 };
 
 /// @param extent of the boxes that it is for
-Reach reachOf(const Plane& plane, double extent) {
+Reach reachOf(const HalfSpace& plane, double extent) {
     Reach reach;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double n = plane.normal[static_cast<Eigen::Index>(axis)];
         reach.farthest[axis] = n > 0.0 ? BoxSet::BlockSize : 0;
         reach.normal[axis] = n;
     }
-    // One slack for all boxes: what it keeps in vain is found out later.
+    // One slack for all boxes: a later question drops what it keeps too much.
     reach.offset = plane.offset + TouchingSlack * (std::abs(plane.offset) +
                                                    plane.normal.cwiseAbs().sum() * extent);
     return reach;
@@ -118,7 +118,7 @@ void copyReaching(const BoxSet& boxes, std::span<const Reach> reaches, BoxSet& k
 
 } // namespace
 
-void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& scratch,
+void keepReaching(const BoxSet& boxes, std::span<const HalfSpace> planes, BoxSet& scratch,
                   BoxSet& kept) {
     // A hull of more edges than this drops fewer boxes here; that costs time alone.
     std::array<Reach, 2 * ConvexVolume::Capacity> reaches;
@@ -133,12 +133,12 @@ void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& sc
 }
 
 LIXEL_MULTIVERSION
-unsigned lanesInside(const BoxSet::Block& block, std::span<const Plane> planes) {
+unsigned lanesInside(const BoxSet::Block& block, std::span<const HalfSpace> planes) {
     Faces faces;
     findFaces(block, faces);
     FourMask low{};
     FourMask high{};
-    for (const Plane& plane : planes) {
+    for (const HalfSpace& plane : planes) {
         Corner nearest;
         for (std::size_t axis = 0; axis < 3; ++axis)
             nearest[axis] =

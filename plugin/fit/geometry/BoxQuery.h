@@ -16,11 +16,11 @@ inline constexpr double TouchingSlack = 1e-12;
 /// Copies the boxes that may reach to the inner side of each plane, in their order; a box that
 /// touches a plane from outside, within that part of the set's extent, does so too.
 /// @param scratch for what the first planes leave; kept is emptied first
-void keepReaching(const BoxSet& boxes, std::span<const Plane> planes, BoxSet& scratch,
+void keepReaching(const BoxSet& boxes, std::span<const HalfSpace> planes, BoxSet& scratch,
                   BoxSet& kept);
 
 /// The lanes of a block, as bits, whose boxes lie wholly on the inner side of each plane.
-unsigned lanesInside(const BoxSet::Block& block, std::span<const Plane> planes);
+unsigned lanesInside(const BoxSet::Block& block, std::span<const HalfSpace> planes);
 
 /// The box with the greatest sum of half extents; 0 of an empty set.
 std::size_t largestBox(const BoxSet& boxes);

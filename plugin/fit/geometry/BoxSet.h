@@ -8,10 +8,12 @@
 #include <span>
 
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 /** The boxes of one frame's casters or receivers, in world axes.
 
-    Bad input is counted instead of stored, so that whoever reads the set can say why there is
+    Bad input is counted instead of stored, so that a reader of the set can say why there is
     no map: a box with a NaN is `invalid`, one with an infinite extent, or one beyond
     1e18, is `unbounded`.
 
@@ -37,7 +39,7 @@ public:
         mUnbounded = 0;
         mInvalid = 0;
     }
-    void add(const Box& box) {
+    void add(const Aabb& box) {
         if (box.centre.hasNaN() || box.halfExtents.hasNaN() || box.halfExtents.minCoeff() < 0.0)
             ++mInvalid;
         else if (!(box.centre.cwiseAbs() + box.halfExtents).allFinite() ||
@@ -71,7 +73,7 @@ public:
     /// How many boxes are stored.
     std::size_t size() const { return mSize; }
     /// The box of that index, below size().
-    Box box(std::size_t index) const {
+    Aabb box(std::size_t index) const {
         const Block& block = mBlocks[index / BlockSize];
         const std::size_t lane = index % BlockSize;
         return {
@@ -106,7 +108,7 @@ private:
         if (lane == 0) mBlocks.emplace_back();
         return lane;
     }
-    void store(const Box& box) {
+    void store(const Aabb& box) {
         const std::size_t lane = nextLane();
         Block& block = mBlocks.back();
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -123,4 +125,5 @@ private:
     std::size_t mInvalid = 0;
 };
 
+/// @}
 } // namespace Lixel

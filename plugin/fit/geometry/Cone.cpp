@@ -58,7 +58,7 @@ void shuffle(std::span<Vec3> directions) {
     }
 }
 
-/// Whether the cone holds all directions, but for what rounding may have moved its axis by.
+/// Whether the cone holds all directions, with a slack for what rounding may have moved its axis by.
 bool holdsAll(const Cone& cone, std::span<const Vec3> directions) {
     constexpr double AxisRounding = 1e-6;
     for (const Vec3& direction : directions)

@@ -25,7 +25,7 @@ constexpr std::array<ClipScratch::Edge, 12> BoxEdges = {{{{0, 1}, {2, 4}},
                                                          {{3, 7}, {1, 3}}}};
 
 /// Cuts off what lies more than `slack` outside the plane; the cut becomes face `newFace`.
-void cutOff(const Plane& plane, double slack, std::uint32_t newFace, ClipScratch& scratch) {
+void cutOff(const HalfSpace& plane, double slack, std::uint32_t newFace, ClipScratch& scratch) {
     std::vector<Vec3>& vertices = scratch.vertices;
     std::vector<ClipScratch::Edge>& edges = scratch.edges;
     scratch.distances.resize(vertices.size());
@@ -91,9 +91,9 @@ void ConvexVolume::add(const Vec3& normal, double offset) {
     mPlanes[mCount++] = {normal / length, offset / length};
 }
 
-ConvexVolume::Side ConvexVolume::classify(const Box& box) const {
+ConvexVolume::Side ConvexVolume::classify(const Aabb& box) const {
     Side side = Side::Inside;
-    for (const Plane& plane : planes()) {
+    for (const HalfSpace& plane : planes()) {
         const double distance = plane.distance(box.centre);
         const double radius = plane.normal.cwiseAbs().dot(box.halfExtents);
         if (distance < -radius) return Side::Outside;
@@ -102,7 +102,7 @@ ConvexVolume::Side ConvexVolume::classify(const Box& box) const {
     return side;
 }
 
-std::array<Vec3, 8> corners(const Box& box) {
+std::array<Vec3, 8> corners(const Aabb& box) {
     std::array<Vec3, 8> result;
     for (std::size_t i = 0; i < 8; ++i) {
         const Vec3 sign((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0,
@@ -112,13 +112,13 @@ std::array<Vec3, 8> corners(const Box& box) {
     return result;
 }
 
-void clipBox(const Box& box, const ConvexVolume& volume, ClipScratch& scratch,
+void clipBox(const Aabb& box, const ConvexVolume& volume, ClipScratch& scratch,
              std::vector<Vec3>& points) {
     const auto corner = corners(box);
     scratch.vertices.assign(corner.begin(), corner.end());
     scratch.edges.assign(BoxEdges.begin(), BoxEdges.end());
     auto face = static_cast<std::uint32_t>(6);
-    for (const Plane& plane : volume.planes()) {
+    for (const HalfSpace& plane : volume.planes()) {
         const double radius = plane.normal.cwiseAbs().dot(box.halfExtents);
         const double distance = plane.distance(box.centre);
         if (distance >= radius) continue;
@@ -135,7 +135,7 @@ void clipEdges(const ConvexVolume& volume, std::uint32_t faces, ClipScratch& scr
     Vec3 reach = Vec3::Zero();
     for (const Vec3& vertex : scratch.vertices)
         reach = reach.cwiseMax(vertex.cwiseAbs());
-    for (const Plane& plane : volume.planes()) {
+    for (const HalfSpace& plane : volume.planes()) {
         const double slack =
             OnPlane * (plane.normal.cwiseAbs().dot(reach) + std::abs(plane.offset));
         cutOff(plane, slack, faces++, scratch);

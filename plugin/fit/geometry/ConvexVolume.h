@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/geometry/Plane.h"
+#include "fit/geometry/HalfSpace.h"
 
 #include <array>
 #include <cstdint>
@@ -17,18 +17,18 @@ public:
     /// Adds the half space n . x + offset >= 0, normalised. A normal of length zero is no plane
     /// (the far plane of an infinite projection) and is left out.
     void add(const Vec3& normal, double offset);
-    void add(std::span<const Plane> planes) {
-        for (const Plane& plane : planes)
+    void add(std::span<const HalfSpace> planes) {
+        for (const HalfSpace& plane : planes)
             add(plane.normal, plane.offset);
     }
 
-    std::span<const Plane> planes() const { return {mPlanes.data(), mCount}; }
+    std::span<const HalfSpace> planes() const { return {mPlanes.data(), mCount}; }
 
     /// Where the box lies; Straddles also where it only may cut a plane.
-    Side classify(const Box& box) const;
+    Side classify(const Aabb& box) const;
 
 private:
-    std::array<Plane, Capacity> mPlanes;
+    std::array<HalfSpace, Capacity> mPlanes;
     std::size_t mCount = 0;
 };
 
@@ -63,7 +63,7 @@ struct ClipScratch {
     face are joined by a new edge, so that edges of the volume inside the box and its corners are
     found too.
 */
-void clipBox(const Box& box, const ConvexVolume& volume, ClipScratch& scratch,
+void clipBox(const Aabb& box, const ConvexVolume& volume, ClipScratch& scratch,
              std::vector<Vec3>& points);
 
 /** The same of the body whose vertices and edges are in the scratch memory.
@@ -72,6 +72,6 @@ void clipEdges(const ConvexVolume& volume, std::uint32_t faces, ClipScratch& scr
                std::vector<Vec3>& points);
 
 /// The eight corners of a box.
-std::array<Vec3, 8> corners(const Box& box);
+std::array<Vec3, 8> corners(const Aabb& box);
 
 } // namespace Lixel

@@ -124,29 +124,15 @@ double largestCoordinate(std::span<const Vec2> polygon) {
 
 void clipLeftOf(std::span<const Vec2> polygon, const Vec2& from, const Vec2& to, double slack,
                 Polygon2& result) {
-    result.clear();
-    const std::size_t n = polygon.size();
     const Vec2 edge = to - from;
     const double length = edge.norm();
     if (length == 0.0) {
         result.assign(polygon.begin(), polygon.end());
         return;
     }
-    if (n == 0) return;
     const Vec2 along = edge / length;
-    const auto side = [&](const Vec2& p) { return cross(along, p - from) + slack; };
-    const double first = side(polygon[0]);
-    double sa = first;
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool last = i + 1 == n;
-        const Vec2& a = polygon[i];
-        const Vec2& b = polygon[last ? 0 : i + 1];
-        const double sb = last ? first : side(b);
-        if (sa >= 0.0) result.push_back(a);
-        if ((sa > 0.0 && sb < 0.0) || (sa < 0.0 && sb > 0.0))
-            result.push_back(a + (b - a) * (sa / (sa - sb)));
-        sa = sb;
-    }
+    clipBy(
+        polygon, [&](const Vec2& p) { return cross(along, p - from) + slack; }, result);
 }
 
 void intersect(const Polygon2& a, const Polygon2& b, Polygon2& result, Polygon2& scratch) {
@@ -247,7 +233,7 @@ double support(std::span<const Vec2> polygon, const Vec2& d) {
 }
 
 void simplifyOutward(Polygon2& polygon, std::size_t maxVertices) {
-    // Vertices on a line but for rounding have neighbours that meet anywhere.
+    // Vertices on a line up to rounding have neighbours that meet anywhere.
     dropFlatVertices(polygon);
     while (polygon.size() > std::max<std::size_t>(maxVertices, 4)) {
         const std::size_t n = polygon.size();

@@ -35,6 +35,31 @@ constexpr double clipSlack(double coordinate) {
     return 16.0 * std::numeric_limits<double>::epsilon() * coordinate;
 }
 
+/** The part of a convex polygon where an affine function is not negative (Sutherland and Hodgman
+    1974).
+    @param side the function, of a point
+    @return whether anything was cut off */
+template <typename Side>
+bool clipBy(std::span<const Vec2> polygon, const Side& side, Polygon2& result) {
+    result.clear();
+    if (polygon.empty()) return false;
+    bool isCut = false;
+    const double first = side(polygon[0]);
+    double sa = first;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const bool last = i + 1 == polygon.size();
+        const Vec2& a = polygon[i];
+        const Vec2& b = polygon[last ? 0 : i + 1];
+        const double sb = last ? first : side(b);
+        if (sa >= 0.0) result.push_back(a);
+        if ((sa > 0.0 && sb < 0.0) || (sa < 0.0 && sb > 0.0))
+            result.push_back(a + (b - a) * (sa / (sa - sb)));
+        isCut = isCut || sa < 0.0;
+        sa = sb;
+    }
+    return isCut;
+}
+
 /// Keeps of the polygon what lies to the left of the line from `from` to `to`, or within `slack` of
 /// it; all of it where the two are one.
 void clipLeftOf(std::span<const Vec2> polygon, const Vec2& from, const Vec2& to, double slack,

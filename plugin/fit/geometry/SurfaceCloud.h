@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 /// A small piece of a surface: a disc that is seen from the side its normal points to.
 struct Surfel {
@@ -77,10 +79,11 @@ struct KnownSurface {
     std::size_t receiver = 0;
     const SurfaceCloud* cloud = nullptr;
     /// World axes relative to the problem's origin from the cloud's space.
-    Affine3 wsFromCloud = Affine3::Identity();
+    Transform3 wsFromCloud = Transform3::Identity();
 };
 
 static_assert(HasOneLayout<KnownSurface>);
 static_assert(HasOneLayout<SurfaceCloud>);
 
+/// @}
 } // namespace Lixel

@@ -95,7 +95,7 @@ bool findDepths(const ShadowProblem& problem, CascadeMemory& memory, CascadeScra
 bool planDepths(const ShadowProblem& problem, CascadeMemory& memory) {
     ShadowViewer viewer = problem.viewer;
     viewer.viewFromWorld = Mat4::Identity();
-    Box box;
+    Aabb box;
     if (!viewer.clipFromView.allFinite() || !viewBounds(viewer, box)) return false;
     memory.farthest = -(box.centre.z() - box.halfExtents.z());
     memory.nearest =

@@ -6,6 +6,8 @@
 #include <vector>
 
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 /// Where the view is cut into slices, one map each.
 struct CascadeOptions {
@@ -47,4 +49,5 @@ struct CascadeScratch;
 void cascadeSplits(const ShadowProblem& problem, std::size_t count, const CascadeOptions& options,
                    CascadeMemory& memory, CascadeScratch& scratch, std::vector<double>& vsSplits);
 
+/// @}
 } // namespace Lixel

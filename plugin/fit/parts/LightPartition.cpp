@@ -35,9 +35,9 @@ void bound(LightPartition& parts) {
 }
 
 /// Whether another of the volume's planes faces the same way and lies before this one.
-bool isHidden(const Plane& plane, const ConvexVolume& volume) {
+bool isHidden(const HalfSpace& plane, const ConvexVolume& volume) {
     constexpr double Parallel = 1e-12;
-    for (const Plane& other : volume.planes())
+    for (const HalfSpace& other : volume.planes())
         if (&other != &plane && (other.normal - plane.normal).norm() < Parallel &&
             (other.offset < plane.offset || (other.offset == plane.offset && &other < &plane)))
             return true;
@@ -45,8 +45,8 @@ bool isHidden(const Plane& plane, const ConvexVolume& volume) {
 }
 
 /// What the viewer sees, within the light's range, as a box; false where neither ends.
-bool seenBounds(const ShadowViewer& viewer, const ShadowLight& light, Box& box) {
-    Box range{light.wsPosition, Vec3::Constant(light.range)};
+bool seenBounds(const ShadowViewer& viewer, const ShadowLight& light, Aabb& box) {
+    Aabb range{light.wsPosition, Vec3::Constant(light.range)};
     if (!viewBounds(viewer, box)) {
         box = range;
         return std::isfinite(light.range);
@@ -64,7 +64,7 @@ bool seenBounds(const ShadowViewer& viewer, const ShadowLight& light, Box& box) 
 /// enough for one of them.
 bool aimParts(const ShadowViewer& viewer, const ShadowLight& light, LightPartition& parts,
               AimScratch& scratch) {
-    Box bounds;
+    Aabb bounds;
     if (!seenBounds(viewer, light, bounds)) return false;
     // Of the pyramid's own apex, the light, only rounding is left as a direction.
     const double apex = 1e-9 * (bounds.halfExtents.sum() + light.wsPosition.norm());
@@ -116,7 +116,7 @@ LightPartition sliceView(const ShadowViewer& viewer, const ShadowLight& light,
     bound(parts);
     // All bounds of slices lie across the view, so a length along it is one along their normals.
     for (ShadowPart& part : std::span(parts.parts).first(parts.count))
-        for (Plane& plane : std::span(part.wsBounds).first(part.boundCount))
+        for (HalfSpace& plane : std::span(part.wsBounds).first(part.boundCount))
             plane.offset += vsPadding;
     return parts;
 }
@@ -150,7 +150,7 @@ LightPartition facesOfView(const ShadowViewer& viewer, const ShadowLight& light,
     LightPartition parts;
     const bool directional = light.kind == LightKind::Directional;
     const ConvexVolume volume = viewVolume(viewer);
-    for (const Plane& plane : volume.planes()) {
+    for (const HalfSpace& plane : volume.planes()) {
         // Both are distances: along the light, and across the face.
         const Vec3 towards = -light.wsDirection.stableNormalized();
         const double facing =

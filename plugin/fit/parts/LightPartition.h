@@ -40,18 +40,18 @@ LIXEL_API LightPartition sliceView(const ShadowViewer& viewer, const ShadowLight
                                    std::span<const double> vsSplits, double vsPadding = 0.0);
 
 /** A point light, or a spot too wide for one map, in a single part: the narrowest spot that will
-   do.
+    do.
     @return none where it would have to be too wide. @see SpotAim.h */
 LIXEL_API LightPartition aimedSpot(const ShadowProblem& problem, AimScratch& scratch);
 
-/** Faces of a cube around a local light, with world axes: six spots of which none depends on the
+/** Faces of a cube around a local light, with world axes: six spots, none of them depending on the
     viewer. A spot's own cone is not regarded: it is for those that are too wide for one map. */
 LIXEL_API LightPartition cubeAround(const ShadowLight& light);
 
 /** Kozlov's cube map of post-projective space (2004, §14.2.2, "Using Cube Maps"): faces of the
     viewer's volume that look away from the light, one to five of them for a directional light
-   (Kozlov has three to five; a light straight from behind needs but the far one), all six for a
-   light within.
+    (Kozlov has three to five; a light straight from behind needs only the far one), all six for a
+    light within.
 
     A light ray belongs to the face through which it leaves the volume. In homogeneous world
     coordinates, with planes n_i (positive inside) and the light L, x - t L runs away from the light

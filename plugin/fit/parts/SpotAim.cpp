@@ -23,7 +23,7 @@ constexpr double NarrowestAim = 1e-4;
 bool directionsTo(const BoxSet& boxes, const ConvexVolume& volume, const Vec3& wsLight,
                   AimScratch& scratch) {
     scratch.directions.clear();
-    for (const Box& box : boxes.boxes()) {
+    for (const Aabb& box : boxes.boxes()) {
         const ConvexVolume::Side side = volume.classify(box);
         if (side == ConvexVolume::Side::Outside) continue;
         scratch.wsPoints.clear();

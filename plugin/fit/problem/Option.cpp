@@ -18,6 +18,7 @@ Value& memberOf(const Option& option, const void* options) {
 /// The shortest text that is read as the same number.
 std::string textOf(double value) {
     std::array<char, 32> text{};
+    if (value == 0.0) value = 0.0; // a zero without a sign
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     return {text.data(), end};
 }

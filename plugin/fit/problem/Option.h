@@ -15,6 +15,8 @@
     keyword, range, unit and use. Setups, scripts, command lines, tests and tables read these lines.
 */
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 /// The numbers that an option may have. They are finite, whatever its ends.
 struct OptionRange {
@@ -48,7 +50,7 @@ enum class OptionType {
     Flag,      ///< bool: "true" or "false"
     Count,     ///< int
     Number,    ///< double
-    Plane,     ///< Vec4 (n, d), n . x + d = 0: four numbers, of which the first three are not all 0
+    Plane,     ///< Vec4 (n, d), n . x + d = 0: four numbers, and n is not zero
     Ascending, ///< std::vector<double>: any number of numbers, each greater than the one before
 };
 
@@ -132,4 +134,5 @@ constexpr Option option(std::string_view keyword, std::string_view use) {
     return option<Member>(keyword, OptionRange{}, "", use);
 }
 
+/// @}
 } // namespace Lixel

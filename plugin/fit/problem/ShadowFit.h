@@ -6,6 +6,8 @@
 #include <span>
 
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 /// What kept a technique from its ideal; None where nothing did.
 enum class FitReason {
@@ -118,4 +120,5 @@ LIXEL_API Mat4 texelMatrix(const ShadowFit& fit, int mapWidth, int mapHeight) no
 
 static_assert(HasOneLayout<ShadowFit>);
 
+/// @}
 } // namespace Lixel

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/geometry/Plane.h"
+#include "fit/geometry/HalfSpace.h"
 #include "fit/problem/ShadowProblem.h"
 
 #include <array>
@@ -9,6 +9,8 @@
 #include <span>
 
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 /// Widest cone of a single map, as half angle in radians: tan(89.5°) = 115 spreads the map, but no
 /// plane holds the rays of 90°.
@@ -30,7 +32,7 @@ struct ShadowPart {
     /// (n, d): n . x + d is the part's function, in world axes relative to the problem's origin.
     Vec4 wsRow = Vec4::Zero();
     /// The half spaces in which that is greatest, and somewhat more where slices overlap.
-    std::array<Plane, MostBounds> wsBounds{};
+    std::array<HalfSpace, MostBounds> wsBounds{};
     std::size_t boundCount = 0;
     /// Depth in front of the viewer at which a slice ends, in world units; infinite for the last
     /// one, and for parts of another kind.
@@ -39,9 +41,10 @@ struct ShadowPart {
     /// parts of another kind.
     Vec4 wsExit = Vec4::Zero();
 
-    std::span<const Plane> bounds() const { return {wsBounds.data(), boundCount}; }
+    std::span<const HalfSpace> bounds() const { return {wsBounds.data(), boundCount}; }
 };
 
 static_assert(HasOneLayout<ShadowPart>);
 
+/// @}
 } // namespace Lixel

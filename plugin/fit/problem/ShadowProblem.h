@@ -7,6 +7,8 @@
 #include <span>
 
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 enum class LightKind { Directional, Spot, Point };
 
@@ -86,4 +88,5 @@ struct ShadowProblem {
 static_assert(HasOneLayout<ShadowProblem>);
 static_assert(HasOneLayout<VisiblePoint>);
 
+/// @}
 } // namespace Lixel

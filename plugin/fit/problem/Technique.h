@@ -8,6 +8,8 @@
 #include <memory>
 
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 struct FitState;
 
@@ -16,7 +18,7 @@ struct FitState;
     A technique's structure of options has a static member `technique()` that gives this: so the
     structure's type stands for the technique. @see Techniques.h for all of them
 */
-struct Technique {
+struct FitTechnique {
     std::string_view name;  ///< in lists, scripts and on command lines, such as "XPSM"
     std::string_view title; ///< one line for people
     std::string_view paper; ///< author and year
@@ -30,7 +32,7 @@ struct Technique {
 /// A structure of a technique's options.
 template <typename Options>
 concept TechniqueOptions = requires {
-    { Options::technique() } -> std::same_as<const Technique&>;
+    { Options::technique() } -> std::same_as<const FitTechnique&>;
 };
 
 /// Makes one map by the technique of these options.
@@ -40,4 +42,5 @@ ShadowFit fitMap(const ShadowProblem& problem, const Options& options, FitState&
     return Options::technique().fit(problem, &options, state);
 }
 
+/// @}
 } // namespace Lixel

@@ -6,6 +6,8 @@
 #include <optional>
 
 namespace Lixel {
+/// @addtogroup LixelFit
+/// @{
 
 /** m (Lloyd et al. 2007): the largest extent of a map's texel in the viewer's picture, in pixels.
 
@@ -33,4 +35,5 @@ LIXEL_API std::optional<double> texelInPixels(const ShadowFit& fit, const Vec2& 
                                               const ShadowViewer& viewer, const Vec2& pictureSize,
                                               const Vec3& ws, const Vec3& wsNormal) noexcept;
 
+/// @}
 } // namespace Lixel

@@ -14,8 +14,8 @@ namespace {
 /// frame to frame, and a grid of texels that is counted from the world's origin with it.
 constexpr double RadiusStep = 1.0 / 1024.0;
 
-/// Steps of the search for the sphere's centre, of which each leaves two thirds of the interval:
-/// 5e-6 of it in the end.
+/// Steps of the search for the sphere's centre. Each leaves two thirds of the interval: 5e-6 of it
+/// in the end.
 constexpr int CentreSteps = 30;
 
 /// Beyond the cone or the sphere, for what rounding adds to both.
@@ -37,12 +37,12 @@ const std::vector<Vec3>& vsCornersInView(const ShadowProblem& problem, RuleScrat
     points.clear();
     ShadowViewer viewer = problem.viewer;
     viewer.viewFromWorld = Mat4::Identity();
-    Box box;
+    Aabb box;
     if (!viewBounds(viewer, box)) return points;
     ConvexVolume volume = viewVolume(viewer);
     const Mat4& viewFromWorld = problem.viewer.viewFromWorld;
     if (problem.part != nullptr)
-        for (const Plane& plane : problem.part->bounds()) {
+        for (const HalfSpace& plane : problem.part->bounds()) {
             const Vec3 vsNormal = viewFromWorld.topLeftCorner<3, 3>() * plane.normal;
             volume.add(vsNormal, plane.offset - vsNormal.dot(viewFromWorld.topRightCorner<3, 1>()));
         }

@@ -51,7 +51,7 @@ public:
     /// @param round less than Rounds
     void cast(const Mat4& clipFromWorld, std::size_t round);
 
-    /** Shortens rays to the boxes that they meet, but for those of known surfaces. A box that a ray
+    /** Shortens rays to the boxes that they meet, except those of known surfaces. A box that a ray
         starts in is met where the ray leaves it.
         @param surfaces by ascending receiver, an index of the boxes */
     void meet(const BoxSet& boxes, std::span<const KnownSurface> surfaces);

@@ -54,7 +54,7 @@ Judgement judgementOf(const ShadowProblem& problem, const LightImage& image,
         .nearDistance = problem.light.nearDistance,
         .liHull = liHull};
     if (problem.part != nullptr)
-        for (const Plane& plane : problem.part->bounds()) {
+        for (const HalfSpace& plane : problem.part->bounds()) {
             const Vec4 row(plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset);
             result.boundsFromLs[result.boundCount++] = parts(row.transpose() * wsFromLs);
         }
@@ -221,7 +221,7 @@ private:
     std::size_t mCount = 0;
 };
 
-/// Calls `visit` with each index below `count`, in an order of which every beginning is spread
+/// Calls `visit` with each index below `count`, in an order whose every beginning is spread
 /// evenly, until it returns false.
 template <typename Visit>
 void visitSpread(std::size_t count, const Visit& visit) {

@@ -38,8 +38,8 @@ constexpr std::array Declared{
 
 } // namespace
 
-const Technique& LiSPSMOptions::technique() {
-    static constexpr Technique declared = declare<LiSPSMOptions, lispsmWarp>(
+const FitTechnique& LiSPSMOptions::technique() {
+    static constexpr FitTechnique declared = declare<LiSPSMOptions, lispsmWarp>(
         "LiSPSM", "light space perspective", "Wimmer, Scherzer and Purgathofer 2004", Declared);
     return declared;
 }

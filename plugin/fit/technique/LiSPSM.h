@@ -3,6 +3,8 @@
 #include "fit/problem/Technique.h"
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /** Light space perspective shadow maps (Wimmer, Scherzer, Purgathofer 2004).
 
@@ -33,7 +35,8 @@ struct LiSPSMOptions {
         (0, ∞). */
     double distanceFactor = 1.0;
 
-    LIXEL_API static const Technique& technique();
+    LIXEL_API static const FitTechnique& technique();
 };
 
+/// @}
 } // namespace Lixel

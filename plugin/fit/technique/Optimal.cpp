@@ -81,8 +81,8 @@ constexpr std::array Declared{
 
 } // namespace
 
-const Technique& OptimalOptions::technique() {
-    static constexpr Technique declared = declare<OptimalOptions, optimalWarp>(
+const FitTechnique& OptimalOptions::technique() {
+    static constexpr FitTechnique declared = declare<OptimalOptions, optimalWarp>(
         "Optimal", "texels smallest where the viewer looks", "Chong 2006, §3.3", Declared);
     return declared;
 }

@@ -3,6 +3,8 @@
 #include "fit/problem/Technique.h"
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /** The warp that makes texels smallest, on average over what the viewer sees.
 
@@ -25,7 +27,8 @@ struct OptimalOptions {
     /// another goes on from there with a quarter, and at least 8.
     int evaluations = 32;
 
-    LIXEL_API static const Technique& technique();
+    LIXEL_API static const FitTechnique& technique();
 };
 
+/// @}
 } // namespace Lixel

@@ -101,8 +101,8 @@ constexpr std::array Declared{
 
 } // namespace
 
-const Technique& PlaneOptimalOptions::technique() {
-    static constexpr Technique declared = declare<PlaneOptimalOptions, planeOptimalWarp>(
+const FitTechnique& PlaneOptimalOptions::technique() {
+    static constexpr FitTechnique declared = declare<PlaneOptimalOptions, planeOptimalWarp>(
         "PlaneOptimal", "warped as one plane wants it, such as the ground",
         "Chong and Gortler 2004", Declared);
     return declared;

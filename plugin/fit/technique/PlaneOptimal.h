@@ -3,6 +3,8 @@
 #include "fit/problem/Technique.h"
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /** Plane optimal shadow maps (Chong and Gortler 2004; Chong 2006, §2.3).
 
@@ -18,10 +20,10 @@ namespace Lixel {
     whatever the filter's radius, m = 1 on the plane. Chong's Figure 2, in words: rays from the
     light to what the viewer sees of the plane fill a wedge; receivers outside of it, behind the
     plane or beside what is seen of it, have no place in the map (denominator <= 0, or beyond the
-   border). ShadowFit::wsServed says which, the reason is PlaneCannotServe if there are any in the
-   focus region; there is no border kept for the filter. Where plane and light, or plane and viewer,
-   meet, where they are on different sides of the plane, or nothing of the focus region is served,
-   the map is the uniform one, with the same reason.
+    border). ShadowFit::wsServed says which, the reason is PlaneCannotServe if there are any in the
+    focus region; there is no border kept for the filter. Where plane and light, or plane and viewer,
+    meet, where they are on different sides of the plane, or nothing of the focus region is served,
+    the map is the uniform one, with the same reason.
 
     Not exact: row w alone is taken, as a warp. It vanishes where the viewer's own plane (depth 0)
     meets the plane, which is often inside the focus region: then the warp is shortened until the
@@ -40,7 +42,8 @@ struct PlaneOptimalOptions {
         said; without, all that is seen is served, and the plane only picks the warp. */
     bool exact = false;
 
-    LIXEL_API static const Technique& technique();
+    LIXEL_API static const FitTechnique& technique();
 };
 
+/// @}
 } // namespace Lixel

@@ -37,8 +37,8 @@ constexpr std::array Declared{
 
 } // namespace
 
-const Technique& CubeOptions::technique() {
-    static constexpr Technique declared = declare<CubeOptions, faceWarp>(
+const FitTechnique& CubeOptions::technique() {
+    static constexpr FitTechnique declared = declare<CubeOptions, faceWarp>(
         "PostProjectiveCube", "cube map of post-projective space", "Kozlov 2004", Declared);
     return declared;
 }

@@ -3,6 +3,8 @@
 #include "fit/problem/Technique.h"
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /** One face of Kozlov's cube map in post-projective space (2004, §14.2.2): one map of the view
     volume's face through which its light rays leave. @see facesOfView
@@ -23,7 +25,8 @@ struct CubeOptions {
     /// As PsmOptions::slideBack: 0 favours the near most, 1 makes near and far alike. In [0, ∞).
     double slideBack = 0.25;
 
-    LIXEL_API static const Technique& technique();
+    LIXEL_API static const FitTechnique& technique();
 };
 
+/// @}
 } // namespace Lixel

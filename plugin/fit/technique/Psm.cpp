@@ -68,8 +68,8 @@ Mat4 virtualViewer(const ShadowViewer& viewer, double slideBack, double nearest,
     return clip * viewer.viewFromWorld;
 }
 
-const Technique& PsmOptions::technique() {
-    static constexpr Technique declared =
+const FitTechnique& PsmOptions::technique() {
+    static constexpr FitTechnique declared =
         declare<PsmOptions, psmWarp>("PSM", "perspective, in the viewer's space",
                                      "Stamminger and Drettakis 2002, Kozlov 2004", Declared);
     return declared;

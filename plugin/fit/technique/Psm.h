@@ -3,6 +3,8 @@
 #include "fit/problem/Technique.h"
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /** Perspective shadow maps (Stamminger and Drettakis 2002) as Kozlov (2004, "Care and Feeding")
     mends them: a map drawn in the viewer's post-projective space.
@@ -39,11 +41,12 @@ struct PsmOptions {
         [0, ∞). */
     double slideBack = 0.25;
 
-    LIXEL_API static const Technique& technique();
+    LIXEL_API static const FitTechnique& technique();
 };
 
 /// The virtual viewer's OpenGL clip space from world axes: `slideBack` (world units) behind the
 /// viewer, with clip planes at depths `nearest` < `farthest` in front of the viewer itself.
 Mat4 virtualViewer(const ShadowViewer& viewer, double slideBack, double nearest, double farthest);
 
+/// @}
 } // namespace Lixel

@@ -11,6 +11,8 @@
 #include <array>
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /// A list of types, for what is made of each.
 template <typename... Types>
@@ -25,15 +27,16 @@ using AllTechniques = TypeList<UniformOptions, XpsmOptions, OptimalOptions, LiSP
 namespace Detail {
 
 template <typename... Options>
-std::array<const Technique*, sizeof...(Options)> techniquesOf(TypeList<Options...>) {
+std::array<const FitTechnique*, sizeof...(Options)> techniquesOf(TypeList<Options...>) {
     return {&Options::technique()...};
 }
 
 } // namespace Detail
 
 /// All techniques that make one map.
-inline std::array<const Technique*, AllTechniques::Size> techniques() {
+inline std::array<const FitTechnique*, AllTechniques::Size> techniques() {
     return Detail::techniquesOf(AllTechniques());
 }
 
+/// @}
 } // namespace Lixel

@@ -55,7 +55,7 @@ WarpChoice warpOfASun(const WarpContext& context, const TrapezoidalOptions& opti
         wsFarCentre += wsFar[i] / 4.0;
     }
 
-    // The centre line and the trapezoid's top and base line; the region is inside but for rounding.
+    // The centre line and the trapezoid's top and base line; the region is inside up to rounding.
     const Vec2 along = liFar - liEye;
     const double axis = (wsFarCentre - wsEyeOf(context.problem.viewer)).norm();
     if (!(along.norm() > 0.0) || !(axis > 0.0)) return {Vec2::Zero(), FitReason::LightAlongView};
@@ -105,8 +105,8 @@ constexpr std::array Declared{
 
 } // namespace
 
-const Technique& TrapezoidalOptions::technique() {
-    static constexpr Technique declared = declare<TrapezoidalOptions, trapezoidalWarp>(
+const FitTechnique& TrapezoidalOptions::technique() {
+    static constexpr FitTechnique declared = declare<TrapezoidalOptions, trapezoidalWarp>(
         "Trapezoidal", "trapezoid, 80 % for the near", "Martin and Tan 2004", Declared);
     return declared;
 }

@@ -3,6 +3,8 @@
 #include "fit/problem/Technique.h"
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /** Trapezoidal shadow maps (Martin and Tan 2004).
 
@@ -36,7 +38,8 @@ struct TrapezoidalOptions {
         that a map without warp gives already leaves the map as it is. */
     double focusShare = 0.8;
 
-    LIXEL_API static const Technique& technique();
+    LIXEL_API static const FitTechnique& technique();
 };
 
+/// @}
 } // namespace Lixel

@@ -21,8 +21,8 @@ constexpr std::array Declared{
 
 } // namespace
 
-const Technique& UniformOptions::technique() {
-    static constexpr Technique declared = declare<UniformOptions, uniformWarp>(
+const FitTechnique& UniformOptions::technique() {
+    static constexpr FitTechnique declared = declare<UniformOptions, uniformWarp>(
         "Uniform", "uniform, focused on visible receivers", "Williams 1978", Declared);
     return declared;
 }

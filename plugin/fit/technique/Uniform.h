@@ -3,6 +3,8 @@
 #include "fit/problem/Technique.h"
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /** The uniform shadow map (Williams 1978): warp 0.
 
@@ -26,7 +28,8 @@ struct UniformOptions {
         it, and is stable only where the light has six maps. */
     bool stable = false;
 
-    LIXEL_API static const Technique& technique();
+    LIXEL_API static const FitTechnique& technique();
 };
 
+/// @}
 } // namespace Lixel

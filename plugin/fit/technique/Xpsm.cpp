@@ -100,8 +100,8 @@ constexpr std::array Declared{
 
 } // namespace
 
-const Technique& XpsmOptions::technique() {
-    static constexpr Technique declared = declare<XpsmOptions, xpsmWarp>(
+const FitTechnique& XpsmOptions::technique() {
+    static constexpr FitTechnique declared = declare<XpsmOptions, xpsmWarp>(
         "XPSM", "extended perspective shadow map", "Gusev 2007", Declared);
     return declared;
 }

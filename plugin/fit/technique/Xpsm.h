@@ -3,6 +3,8 @@
 #include "fit/problem/Technique.h"
 
 namespace Lixel {
+/// @addtogroup LixelTechniques
+/// @{
 
 /** Extended perspective shadow maps (Gusev 2007).
 
@@ -26,7 +28,8 @@ struct XpsmOptions {
         steadily, and at once after a camera cut. Without, the warp is literally Gusev's. */
     bool guarded = true;
 
-    LIXEL_API static const Technique& technique();
+    LIXEL_API static const FitTechnique& technique();
 };
 
+/// @}
 } // namespace Lixel

@@ -145,7 +145,7 @@ void spoilSomething(Scene& scene, Dice& dice) {
         scene.filterRadius = value;
         return;
     default: {
-        Box box{scene.size * dice.cube(), scene.size * dice.cube().cwiseAbs()};
+        Aabb box{scene.size * dice.cube(), scene.size * dice.cube().cwiseAbs()};
         of3(dice.chance(0.5) ? box.centre : box.halfExtents);
         if (dice.chance(0.5)) of3(dice.chance(0.5) ? box.centre : box.halfExtents);
         const double role = dice.in(0.0, 1.0);
@@ -187,7 +187,7 @@ TEST(GarbageInput, OfHugeNumbersDoesNotCrash) {
     std::vector<Scene> scenes;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         Scene scene = outdoors();
-        Box box{Vec3(0.0, 0.0, -10.0), Vec3::Ones()};
+        Aabb box{Vec3(0.0, 0.0, -10.0), Vec3::Ones()};
         box.centre[axis] = box.halfExtents[axis] = 1e308;
         scene.addBody(box);
         scenes.push_back(scene);

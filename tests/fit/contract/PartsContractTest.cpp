@@ -63,7 +63,7 @@ std::vector<Combination> combinations() {
     const auto add = [&](const Division& division, const Trial& trial) {
         all.push_back({std::string(division.name) + trial.name, division, trial});
     };
-    const Technique& cubeFace = CubeOptions::technique();
+    const FitTechnique& cubeFace = CubeOptions::technique();
     const Trial face{"Face", &cubeFace, cubeFace.makeOptions(nullptr)};
     for (const Trial& trial : trialsThatServeAll())
         add({"Slices", false, slices}, trial);

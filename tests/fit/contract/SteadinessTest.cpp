@@ -67,7 +67,7 @@ std::vector<Sample> samplesOf(const Scene& scene, Dice& dice, std::size_t count)
         const double y = dice.in(-1.0, 1.0);
         const Vec3 begin = (worldFromClip * Vec4(x, y, -1.0, 1.0)).hnormalized();
         const Vec3 end = (worldFromClip * Vec4(x, y, 0.0, 1.0)).hnormalized();
-        for (const Box& box : boxes) {
+        for (const Aabb& box : boxes) {
             const auto hit = rayInBox(box, begin, end - begin);
             if (!hit || hit->begin <= 0.0) continue;
             const Vec3 p = begin + hit->begin * (end - begin);
@@ -165,14 +165,14 @@ std::vector<bool> bodiesThatCount(const Scene& scene) {
         counts.push_back(hasMap(region.reason));
     };
     Scene one = scene;
-    for (const Box& box : scene.casters.boxes()) {
+    for (const Aabb& box : scene.casters.boxes()) {
         one.casters.clear();
         one.casters.add(box);
         count(one);
     }
     one.casters.clear();
     one.casters.addUnbounded();
-    for (const Box& box : scene.receivers.boxes()) {
+    for (const Aabb& box : scene.receivers.boxes()) {
         one.receivers.clear();
         one.receivers.add(box);
         count(one);

@@ -55,7 +55,7 @@ TEST(SteadyState, AllocatesNothing) {
             scene.light.kind = kind;
             scene.light.wsPosition = Vec3(-8.0, 12.0, -12.0);
             const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
-            const Box plank{Vec3(1.0, 0.0, -9.0), Vec3(4.0, 0.2, 0.2)};
+            const Aabb plank{Vec3(1.0, 0.0, -9.0), Vec3(4.0, 0.2, 0.2)};
             addTurned(plank, turn, scene.casters, scene.turnedCasters);
             addTurned(plank, turn, scene.receivers, scene.turnedReceivers);
             FitState state;

@@ -77,7 +77,7 @@ TEST_P(Fit, StoredDepthIsZeroAtTheNearestReceiverAndOneAtTheFarthest) {
         const Vec4 clip = clipOf(map.clipFromWorld, map.wsEye + distance * axis);
         EXPECT_NEAR(map.depthScale * clip.z() + map.depthOffset, expected, 1e-9);
     }
-    // The range is that of the receivers, but for a thousandth of the region's size.
+    // The range is that of the receivers, within a thousandth of the region's size.
     EXPECT_LE(map.lsNear, mState.region.lsReceiverNear);
     EXPECT_GE(map.lsFar, mState.region.lsReceiverFar);
     const double range = mState.region.lsReceiverFar - mState.region.lsReceiverNear;

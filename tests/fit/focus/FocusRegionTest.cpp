@@ -28,7 +28,7 @@ double extentAlong(const Scene& scene, const FocusRegion& region, const Vec3& ws
     return support(region.liHull, d);
 }
 
-/// Noon: a viewer at height 10 looks straight down at a flat ground of 20 x 20, of which it sees
+/// Noon: a viewer at height 10 looks straight down at a flat ground of 20 x 20, and sees of it
 /// 8 x 8; the light shines straight down too.
 Scene noon() {
     Scene scene;
@@ -176,7 +176,7 @@ RC_GTEST_PROP(FocusRegion, OfAnUnboundedReceiverHoldsThePointsOfTheView, ()) {
 }
 
 TEST(FocusRegion, OfAnUnboundedReceiverWithoutAnEndIsUnboundedHoweverTheViewerLooks) {
-    // The far corners of an infinite projection have w = 0 but for rounding.
+    // The far corners of an infinite projection have w = 0 up to rounding.
     Dice dice(1);
     for (int i = 0; i < 1000; ++i) {
         Scene scene;
@@ -258,10 +258,10 @@ TEST(FocusRegion, HoldsABodyBesideALineThatCastsAlongItsBorder) {
     scene.light.wsPosition = Vec3(3051.7560632146015, 4158.6812567217121, -2049.1446886840122);
     scene.light.outerHalfAngle = 0.98984880350339477;
     scene.light.nearDistance = 6.7595851571676615;
-    const Box box{Vec3(-4103.8497894817983, -8394.5596417151901, -5748.133791502848),
-                  Vec3(50.522745836979311, 166.31314334005643, 32.426895622342798)};
-    const Box line{Vec3(-2329.522890698609, -513.13003209740623, -2559.2161451829925),
-                   Vec3(0.0, 0.0, 1026.3303115827391)};
+    const Aabb box{Vec3(-4103.8497894817983, -8394.5596417151901, -5748.133791502848),
+                   Vec3(50.522745836979311, 166.31314334005643, 32.426895622342798)};
+    const Aabb line{Vec3(-2329.522890698609, -513.13003209740623, -2559.2161451829925),
+                    Vec3(0.0, 0.0, 1026.3303115827391)};
     scene.addBody(box);
     scene.addBody(line);
     const FocusRegion region = regionOf(scene);
@@ -269,7 +269,7 @@ TEST(FocusRegion, HoldsABodyBesideALineThatCastsAlongItsBorder) {
     const LightImage image(scene.light);
     const ConvexVolume seen = viewVolume(scene.viewer);
     for (const Vec3& corner : corners(box)) {
-        const auto isSeen = [&](const Plane& plane) { return plane.distance(corner) >= 0.0; };
+        const auto isSeen = [&](const HalfSpace& plane) { return plane.distance(corner) >= 0.0; };
         if (!std::all_of(seen.planes().begin(), seen.planes().end(), isSeen)) continue;
         const Vec2 q = image.project(image.lsFromPoint(corner));
         for (std::size_t i = 0; i < region.liHull.size(); ++i) {

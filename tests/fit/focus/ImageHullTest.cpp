@@ -22,7 +22,7 @@ LightImage anyImage(Dice& dice) {
     return LightImage(light);
 }
 
-/// Points of which many are equal, on one line, or on one line but for rounding.
+/// Points, many of them equal, on one line, or on one line up to rounding.
 std::vector<Vec2> anyPoints(Dice& dice) {
     std::vector<Vec2> points;
     const std::size_t count = 1 + dice.below(60);
@@ -38,7 +38,7 @@ std::vector<Vec2> anyPoints(Dice& dice) {
     return points;
 }
 
-/// The hull of the points, of which some come one by one and others many at a time.
+/// The hull of the points: some come one by one, and others many at a time.
 ImageHull hullOf(const LightImage& image, std::span<const Vec2> points, Dice& dice) {
     ImageHull hull;
     hull.reset(image);
@@ -112,8 +112,8 @@ TEST(ImageHull, CountsItsChanges) {
 RC_GTEST_PROP(BoxImage, IsThatOfTheCorners, ()) {
     Dice dice(*anySeed());
     const LightImage image = anyImage(dice);
-    const Box box{image.wsEye() + image.lsFromWs().transpose() * Vec3(0.5, 0.25, -4.0),
-                  dice.cube().cwiseAbs()};
+    const Aabb box{image.wsEye() + image.lsFromWs().transpose() * Vec3(0.5, 0.25, -4.0),
+                   dice.cube().cwiseAbs()};
     const auto points = boxImage(image, box);
     const auto ws = corners(box);
     for (std::size_t i = 0; i < 8; ++i)

@@ -28,7 +28,7 @@ std::vector<Vec3> anyPoints(Dice& dice) {
 }
 
 /// The hull's vertices, and no plane to clip them by.
-std::vector<Vec3> placed(const BodyHull& hull, const Affine3& wsFromBody) {
+std::vector<Vec3> placed(const BodyHull& hull, const Transform3& wsFromBody) {
     ClipScratch scratch;
     std::vector<Vec3> points;
     clipHull(hull, wsFromBody, ConvexVolume(), scratch, points);
@@ -63,7 +63,7 @@ RC_GTEST_PROP(BodyHull, ReachesHardlyBeyondItsPoints, ()) {
 }
 
 TEST(BodyHull, OfABoxIsTheBox) {
-    const Box box{Vec3(1, 2, 3), Vec3(1, 0.5, 2)};
+    const Aabb box{Vec3(1, 2, 3), Vec3(1, 0.5, 2)};
     const auto corner = corners(box);
     const BodyHull hull = makeBodyHull(corner);
     EXPECT_EQ(hull.vertices.size(), 8U);
@@ -97,7 +97,7 @@ TEST(BodyHull, OfABallIsNearlyIt) {
 
 TEST(BodyHull, OfAPointIsThere) {
     const std::vector<Vec3> points = {Vec3(1, 2, 3)};
-    const std::vector<Vec3> found = placed(makeBodyHull(points), Affine3::Identity());
+    const std::vector<Vec3> found = placed(makeBodyHull(points), Transform3::Identity());
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR((found[0] - points[0]).norm(), 0.0, 1e-9);
 }
@@ -132,7 +132,7 @@ RC_GTEST_PROP(BodyHull, InPartsIsTheWhole, ()) {
 RC_GTEST_PROP(ClipHull, IsTheHullWithinTheVolume, ()) {
     Dice dice(*anySeed());
     const BodyHull hull = makeBodyHull(anyPoints(dice));
-    const Affine3 wsFromBody =
+    const Transform3 wsFromBody =
         Eigen::Translation3d(dice.cube()) *
         Eigen::AngleAxisd(dice.in(-3.0, 3.0), dice.direction()) *
         Eigen::Scaling(dice.chance(0.5) ? -1.5 : 0.5, dice.in(0.0, 2.0), 1.0);

@@ -23,17 +23,17 @@ BoxSet anyBoxes(Dice& dice) {
     return boxes;
 }
 
-std::vector<Plane> anyPlanes(Dice& dice) {
-    std::vector<Plane> planes(dice.below(20));
-    for (Plane& plane : planes)
+std::vector<HalfSpace> anyPlanes(Dice& dice) {
+    std::vector<HalfSpace> planes(dice.below(20));
+    for (HalfSpace& plane : planes)
         plane = {std::pow(10.0, dice.in(-3.0, 3.0)) * dice.direction(), 0.0};
-    for (Plane& plane : planes)
+    for (HalfSpace& plane : planes)
         plane.offset = plane.normal.norm() * dice.in(-0.3, 1.0);
     return planes;
 }
 
 /// The values of the plane's distance over the box: least and greatest.
-Vec2 over(const Plane& plane, const Box& box) {
+Vec2 over(const HalfSpace& plane, const Aabb& box) {
     const double reach = plane.normal.cwiseAbs().dot(box.halfExtents);
     return Vec2(-reach, reach).array() + plane.distance(box.centre);
 }
@@ -43,7 +43,7 @@ Vec2 over(const Plane& plane, const Box& box) {
 RC_GTEST_PROP(KeepReaching, DropsWhatAPlaneSeparates, ()) {
     Dice dice(*anySeed());
     const BoxSet boxes = anyBoxes(dice);
-    const std::vector<Plane> planes = anyPlanes(dice);
+    const std::vector<HalfSpace> planes = anyPlanes(dice);
     BoxSet scratch;
     BoxSet kept;
     kept.addUnbounded();
@@ -51,8 +51,8 @@ RC_GTEST_PROP(KeepReaching, DropsWhatAPlaneSeparates, ()) {
     RC_ASSERT(kept.unbounded() == 0U);
     std::size_t next = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const Box box = boxes.box(i);
-        const bool reaches = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+        const Aabb box = boxes.box(i);
+        const bool reaches = std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
             return over(plane, box).y() >= 0.0;
         });
         if (!reaches) continue;
@@ -71,7 +71,7 @@ TEST(KeepReaching, KeepsWhatTouchesButForRounding) {
     boxes.add({Vec3(1000.0 * (1.0 - 1e-9), 0.0, 0.0), Vec3::Zero()});
     BoxSet scratch;
     BoxSet kept;
-    const Plane plane{Vec3::UnitX(), -1000.0};
+    const HalfSpace plane{Vec3::UnitX(), -1000.0};
     keepReaching(boxes, {&plane, 1}, scratch, kept);
     EXPECT_EQ(kept.size(), 1U);
     // Exactly on a plane through the origin, where all terms vanish.
@@ -79,7 +79,7 @@ TEST(KeepReaching, KeepsWhatTouchesButForRounding) {
     boxes.add({Vec3::Zero(), Vec3::Zero()});
     for (const Vec3& normal : {Vec3(1, 1, 1), Vec3(-1, -1, -1), Vec3(1, -1, 0)})
         for (const double offset : {0.0, -0.0}) {
-            const Plane through{normal, offset};
+            const HalfSpace through{normal, offset};
             keepReaching(boxes, {&through, 1}, scratch, kept);
             EXPECT_EQ(kept.size(), 1U) << normal.transpose();
         }
@@ -88,11 +88,11 @@ TEST(KeepReaching, KeepsWhatTouchesButForRounding) {
 RC_GTEST_PROP(LanesInside, AreTheBoxesOnTheInnerSideOfAllPlanes, ()) {
     Dice dice(*anySeed());
     const BoxSet boxes = anyBoxes(dice);
-    const std::vector<Plane> planes = anyPlanes(dice);
+    const std::vector<HalfSpace> planes = anyPlanes(dice);
     std::size_t index = 0;
-    for (const Box& box : boxes.boxes()) {
+    for (const Aabb& box : boxes.boxes()) {
         const unsigned lanes = lanesInside(boxes.blocks()[index / BoxSet::BlockSize], planes);
-        const bool inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+        const bool inside = std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
             return over(plane, box).x() >= 0.0;
         });
         RC_ASSERT(((lanes >> index % BoxSet::BlockSize) & 1U) == (inside ? 1U : 0U));
@@ -104,7 +104,7 @@ TEST(LanesInside, OfNoPlanesAreAllAndOfAnEmptyHalfSpaceNone) {
     BoxSet boxes;
     boxes.add({Vec3::Zero(), Vec3::Ones()});
     EXPECT_EQ(lanesInside(boxes.blocks()[0], {}), 0xffU);
-    const Plane nothing{Vec3::UnitX(), -Infinity};
+    const HalfSpace nothing{Vec3::UnitX(), -Infinity};
     EXPECT_EQ(lanesInside(boxes.blocks()[0], {&nothing, 1}), 0U);
 }
 

@@ -33,7 +33,7 @@ TEST(BoxSet, GivesBackItsBoxesInOrder) {
     BoxSet set;
     for (const std::size_t count : {2 * BoxSet::BlockSize + 3, BoxSet::BlockSize + 1}) {
         set.clear();
-        std::vector<Box> boxes;
+        std::vector<Aabb> boxes;
         for (std::size_t i = 0; i < count; ++i) {
             const auto x = static_cast<double>(i);
             boxes.push_back({Vec3(x, 2.0 * x, -x), Vec3(x, 1.0, 3.0)});
@@ -41,7 +41,7 @@ TEST(BoxSet, GivesBackItsBoxesInOrder) {
         }
         ASSERT_EQ(set.size(), count);
         std::size_t i = 0;
-        for (const Box& box : set.boxes()) {
+        for (const Aabb& box : set.boxes()) {
             EXPECT_EQ(box.centre, boxes[i].centre);
             EXPECT_EQ(set.box(i).halfExtents, boxes[i].halfExtents);
             ++i;

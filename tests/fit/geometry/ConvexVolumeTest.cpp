@@ -23,7 +23,7 @@ Dice anyDice() {
     return Dice(*anySeed());
 }
 
-std::vector<Vec3> clipped(const Box& box, const ConvexVolume& volume) {
+std::vector<Vec3> clipped(const Aabb& box, const ConvexVolume& volume) {
     ClipScratch scratch;
     std::vector<Vec3> points;
     clipBox(box, volume, scratch, points);
@@ -93,7 +93,7 @@ TEST(ConvexVolume, ClassifiesBoxesAgainstAHalfSpace) {
 RC_GTEST_PROP(ConvexVolume, ClassifyAgreesWithThePointsOfTheBox, ()) {
     Dice dice = anyDice();
     const ConvexVolume volume = viewVolume(walker());
-    const Box box{Vec3(1.0, 0.0, -10.0) + 15.0 * dice.cube(), 4.0 * dice.cube().cwiseAbs()};
+    const Aabb box{Vec3(1.0, 0.0, -10.0) + 15.0 * dice.cube(), 4.0 * dice.cube().cwiseAbs()};
     const ConvexVolume::Side side = volume.classify(box);
     for (int i = 0; i < 50; ++i) {
         const Vec3 p = box.centre + dice.cube().cwiseProduct(box.halfExtents);
@@ -115,7 +115,7 @@ TEST(ViewVolume, HasNoFarPlaneForAnInfiniteProjection) {
 }
 
 TEST(ViewVolume, KeepsTheFarPlaneOfADeepView) {
-    // Near and far ten decades apart: the far plane's rows cancel but for 1e-10.
+    // Near and far ten decades apart: the far plane's rows cancel down to 1e-10.
     ShadowViewer viewer;
     viewer.clipFromView = perspective(1.0, 1.0, 1e-4, 1e6);
     EXPECT_GT(inside(viewVolume(viewer), Vec3(0.0, 0.0, -0.999e6)), 0.0);
@@ -132,7 +132,7 @@ RC_GTEST_PROP(ViewVolume, HoldsExactlyThePointsThatProjectIntoTheView, ()) {
         const double reach = scene.size * std::pow(10.0, dice.in(-3.0, 1.0));
         const Vec3 p = eye + reach * (dice.cube() + dice.in(0.0, 2.0) * forwardOf(scene.viewer));
         const double distance = inside(volume, p);
-        if (std::abs(distance) < 1e-9 * scene.size) continue; // on the border, but for rounding
+        if (std::abs(distance) < 1e-9 * scene.size) continue; // on the border, up to rounding
         RC_LOG() << "point " << p.transpose() << " distance " << distance << "\n";
         RC_ASSERT(sees(scene.viewer, p) == (distance > 0.0));
         if (distance > 0.0) ++seen;
@@ -179,11 +179,11 @@ RC_GTEST_PROP(ClipBox, AgreesWithPointsOfTheBox, ()) {
     const Scene scene = *anyScene();
     Dice dice = anyDice();
     const ConvexVolume volume = viewVolume(scene.viewer);
-    std::vector<Box> boxes;
+    std::vector<Aabb> boxes;
     for (const BoxSet* set : {&scene.receivers, &scene.casters})
-        for (const Box& box : set->boxes())
+        for (const Aabb& box : set->boxes())
             boxes.push_back(box);
-    for (const Box& box : boxes) {
+    for (const Aabb& box : boxes) {
         const std::vector<Vec3> points = clipped(box, volume);
         const double extent = box.centre.norm() + box.halfExtents.norm() + scene.size;
         const double rounding = 1e-11 * extent;
@@ -207,7 +207,7 @@ RC_GTEST_PROP(ClipBox, AgreesWithPointsOfTheBox, ()) {
 }
 
 TEST(Corners, AreTheEightOfTheBox) {
-    const Box box{Vec3(1.0, 2.0, 3.0), Vec3(0.5, 0.25, 4.0)};
+    const Aabb box{Vec3(1.0, 2.0, 3.0), Vec3(0.5, 0.25, 4.0)};
     Vec3 sum = Vec3::Zero();
     for (const Vec3& c : corners(box)) {
         EXPECT_EQ((c - box.centre).cwiseAbs(), box.halfExtents);

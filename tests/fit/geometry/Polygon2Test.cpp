@@ -296,7 +296,7 @@ TEST(SumWithRectangle, OfNothingAPointASegmentAndASquare) {
 RC_GTEST_PROP(SumWithRectangle, IsTheHullOfAllSums, ()) {
     Dice dice = anyDice();
     Polygon2 polygon = randomPolygon(dice, 1 + dice.below(12));
-    if (dice.chance(0.3)) // slivers, down to segments but for rounding
+    if (dice.chance(0.3)) // slivers, down to segments up to rounding
         for (Vec2& p : polygon)
             p.y() *= std::pow(10.0, dice.in(-17.0, -3.0));
     polygon = hullOf(polygon);
@@ -345,7 +345,7 @@ TEST(SteinerPoint, IgnoresARepeatedVertex) {
 
 RC_GTEST_PROP(SteinerPoint, OfAnIntersectionIsThatOfItsHull, ()) {
     // Everything casts and receives: the hulls share vertices and edges, and clipping one by the
-    // other leaves vertices that coincide but for rounding.
+    // other leaves vertices that coincide up to rounding.
     Dice dice = anyDice();
     const Polygon2 a = randomPolygon(dice, 3 + dice.below(9));
     std::vector<Vec2> cloud = a;
@@ -408,7 +408,7 @@ TEST(SimplifyOutward, LeavesSmallPolygonsAlone) {
 }
 
 TEST(SimplifyOutward, StaysConvexWhereVerticesLieOnALine) {
-    // A left side of six vertices that are collinear but for rounding, as clipping leaves them.
+    // A left side of six vertices that are collinear up to rounding, as clipping leaves them.
     const Polygon2 original = {Vec2(-1.8314919298064078, -0.44638008738316115),
                                Vec2(-1.8314919298064063, -0.57796517874189191),
                                Vec2(-1.8283535000548434, -0.58162786661404808),
@@ -451,7 +451,7 @@ RC_GTEST_PROP(SimplifyOutward, HoldsTheOriginal, ()) {
         original = hullOf(cloud);
     }
     if (dice.chance(0.5)) {
-        // Cuts along an axis: whole sides of vertices that are collinear but for rounding.
+        // Cuts along an axis: whole sides of vertices that are collinear up to rounding.
         Polygon2 cut = {Vec2(-0.5, -2.0), Vec2(0.5, -2.0), Vec2(0.5, 2.0), Vec2(-0.5, 2.0)};
         std::vector<Vec2> points = intersectionOf(original, cut);
         for (int i = 0; i < 8; ++i)

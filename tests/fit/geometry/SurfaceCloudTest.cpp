@@ -178,12 +178,12 @@ TEST(SurfaceCloud, MovesWithItsBody) {
     const Scene scene = inARoom();
     const SurfaceCloud cloud = room();
     // Made at half the size, turned and elsewhere, then put where it was.
-    Affine3 wsFromOwn = Affine3::Identity();
+    Transform3 wsFromOwn = Transform3::Identity();
     wsFromOwn.translate(Vec3(3.0, -2.0, 1.0))
         .rotate(Eigen::AngleAxisd(0.7, Vec3::UnitZ()))
         .scale(2.0);
     SurfaceCloud own;
-    const Affine3 ownFromWs = wsFromOwn.inverse();
+    const Transform3 ownFromWs = wsFromOwn.inverse();
     for (const Surfel& disc : cloud.surfels)
         own.surfels.push_back({ownFromWs * disc.centre,
                                (ownFromWs.linear() * disc.normal).normalized(), disc.radius / 2.0});

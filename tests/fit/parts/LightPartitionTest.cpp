@@ -22,7 +22,7 @@ constexpr double Degree = std::numbers::pi / 180.0;
 /// Whether a point keeps away from every border between parts, relative to its distance.
 bool isClearOfBorders(const LightPartition& parts, const Vec3& ws) {
     for (const ShadowPart& part : parts.span())
-        for (const Plane& plane : part.bounds())
+        for (const HalfSpace& plane : part.bounds())
             if (std::abs(plane.distance(ws)) < 1e-9 * (ws.norm() + std::abs(plane.offset)))
                 return false;
     return true;
@@ -36,7 +36,7 @@ void expectPartition(const LightPartition& parts, const std::vector<Vec3>& point
         for (std::size_t i = 0; i < parts.count; ++i) {
             const auto bounds = parts.parts[i].bounds();
             const bool inside = std::ranges::all_of(
-                bounds, [&](const Plane& plane) { return plane.distance(ws) >= 0.0; });
+                bounds, [&](const HalfSpace& plane) { return plane.distance(ws) >= 0.0; });
             RC_ASSERT(inside == (i == serving));
         }
     }
@@ -57,7 +57,7 @@ int exitByWalking(const ConvexVolume& view, const ShadowLight& light, const Vec3
     int exit = -1;
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < view.planes().size(); ++i) {
-        const Plane& plane = view.planes()[i];
+        const HalfSpace& plane = view.planes()[i];
         const double fall = -plane.normal.dot(along);
         // Rays along a face do not leave through it.
         if (!(fall > 1e-6)) continue;
@@ -133,7 +133,7 @@ TEST(LightPartition, PaddedSlicesReachFartherAndServeTheSame) {
                     continue;
                 const auto bounds = padded.parts[i].bounds();
                 RC_ASSERT((begin < depth && depth < end) ==
-                          std::ranges::all_of(bounds, [&](const Plane& plane) {
+                          std::ranges::all_of(bounds, [&](const HalfSpace& plane) {
                               return plane.distance(ws) >= 0.0;
                           }));
             }
@@ -197,7 +197,7 @@ TEST(LightPartition, FacesOfTheViewAreWhereRaysLeaveIt) {
             const int exit = exitByWalking(view, light, ws);
             if (exit < 0) continue;                          // a view without end
             if (parts.parts[0].wsExit.isZero(0.0)) continue; // a cube instead
-            const Plane& plane = view.planes()[static_cast<std::size_t>(exit)];
+            const HalfSpace& plane = view.planes()[static_cast<std::size_t>(exit)];
             const ShadowPart& part = parts.parts[parts.serving(ws)];
             RC_LOG() << "point " << ws.transpose() << " leaves through " << plane.normal.transpose()
                      << ", serving " << part.wsExit.transpose() << "\n";

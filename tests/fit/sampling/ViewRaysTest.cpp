@@ -26,7 +26,7 @@ double firstHit(const Scene& scene, const Vec3& origin, const Vec3& direction,
                 std::size_t without) {
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t index = 0;
-    for (const Box& box : scene.receivers.boxes()) {
+    for (const Aabb& box : scene.receivers.boxes()) {
         if (index++ == without) continue;
         const auto hit = rayInBox(box, origin, direction);
         if (!hit || hit->end < 0.0) continue;
@@ -60,7 +60,7 @@ RC_GTEST_PROP(ViewRays, MeetWhatEachRayMeetsFirst, ()) {
         if (rays.hit(ray) != std::isfinite(nearest)) {
             Scene shrunk = scene;
             shrunk.receivers.clear();
-            for (const Box& box : scene.receivers.boxes())
+            for (const Aabb& box : scene.receivers.boxes())
                 shrunk.receivers.add({box.centre, (1.0 - 1e-9) * box.halfExtents});
             wider = firstHit(shrunk, origin, direction, known);
             RC_ASSERT(rays.hit(ray) == std::isfinite(wider));

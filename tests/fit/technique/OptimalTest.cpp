@@ -135,7 +135,7 @@ RC_GTEST_PROP(TexelExtent, IsTheMeanOfItsDefinition, ()) {
     extent.reset(samples, region.hull, region.centre);
     RC_ASSERT(extent.hasSamples());
     const double mean = extent(warp);
-    // Rectangles of one area but for rounding are equally small: a triangle has three.
+    // Rectangles whose areas are the same up to rounding are equally small: a triangle has three.
     bool found = false;
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const Vec2 edge = hull[(i + 1) % hull.size()] - hull[i];
@@ -143,7 +143,7 @@ RC_GTEST_PROP(TexelExtent, IsTheMeanOfItsDefinition, ()) {
         if (!(map.area() <= area * (1.0 + 1e-9))) continue;
         const double expected = meanFor(map);
         RC_LOG() << mean << " where " << expected << " is expected\n";
-        // Values agree but for rounding of differences.
+        // Values agree up to rounding of differences.
         found = found || std::abs(mean - expected) < 1e-4 * expected;
     }
     RC_ASSERT(found);

@@ -61,7 +61,7 @@ std::vector<double> denominators(const ShadowFit& fit, const std::vector<Vec3>& 
 
 std::vector<Vec3> cornersOf(const BoxSet& set) {
     std::vector<Vec3> result;
-    for (const Box& box : set.boxes())
+    for (const Aabb& box : set.boxes())
         for (const Vec3& corner : corners(box))
             result.push_back(corner);
     return result;

@@ -22,7 +22,7 @@ struct Walk {
     Scene scene;
     Vec3 wsEye;
 
-    Walk(const Vec3& eye, double yaw, double pitch, const std::vector<Box>& world) : wsEye(eye) {
+    Walk(const Vec3& eye, double yaw, double pitch, const std::vector<Aabb>& world) : wsEye(eye) {
         const Vec3 forward(std::cos(pitch) * std::sin(yaw), std::sin(pitch),
                            -std::cos(pitch) * std::cos(yaw));
         scene.viewer.viewFromWorld = roundedToFloat(lookAlong(Vec3::Zero(), forward));
@@ -30,7 +30,7 @@ struct Walk {
             roundedToFloat(perspective(60.0 * Degree, 16.0 / 9.0, 0.1, 500.0));
         scene.viewer.shadowDistance = 60.0;
         scene.light.wsDirection = Vec3(0.4, -1.0, 0.3);
-        for (const Box& box : world)
+        for (const Aabb& box : world)
             scene.addBody({box.centre - eye, box.halfExtents});
     }
     ShadowProblem problem() const {
@@ -45,7 +45,7 @@ struct Walk {
 };
 
 void expectWholeTexels(const Vec3& start) {
-    std::vector<Box> world;
+    std::vector<Aabb> world;
     Dice dice(3);
     world.push_back({start + Vec3(0.0, -2.0, 0.0), Vec3(500.0, 0.1, 500.0)});
     for (int i = 0; i < 200; ++i)

@@ -35,8 +35,8 @@ Scene corridor(const Vec3& lightDirection, double halfHeight = 1.0, double heigh
     scene.size = FarDepth;
     scene.viewer.clipFromView = perspective(100.0 * std::numbers::pi / 180.0, 1.0, 0.1, 100.0);
     scene.light.wsDirection = lightDirection;
-    const Box box{Vec3(0.0, height, -(NearDepth + FarDepth) / 2.0),
-                  Vec3(1.0, halfHeight, (FarDepth - NearDepth) / 2.0)};
+    const Aabb box{Vec3(0.0, height, -(NearDepth + FarDepth) / 2.0),
+                   Vec3(1.0, halfHeight, (FarDepth - NearDepth) / 2.0)};
     scene.addBody(box);
     return scene;
 }
