@@ -21,11 +21,14 @@ namespace Lixel {
 
 /** Looks at the materials that a scene manager draws with, and says in the log what cannot work.
 
-    Each line names the material and what to do, and is said once: surfaces that OGRE will refuse to
-    draw, or that read no shadow map, or fewer than a light has; receivers of another shadow
-    technique; programs whose parameters are bound wrongly, or that look for maps in the wrong texture
-    units; casters that write another depth than Lixel's receivers compare with; casters and
-    receivers that do not bend what its own program bends; shadow textures that cannot hold it, or that are too few; lights without a setup.
+    Each line names the material and what to do, and is logged once. Reported are:
+    - surfaces that OGRE will refuse to draw, or that read no shadow map, or fewer than a light has;
+    - receivers of another shadow technique;
+    - programs whose parameters are bound wrongly, or that look for maps in the wrong units;
+    - casters that write another depth than Lixel's receivers compare with;
+    - casters and receivers that do not bend what the surface's own program bends;
+    - shadow textures that cannot hold Lixel's depth, or that are too few;
+    - lights without a setup.
 
     Looking costs time, so it is done in the first frames of a scene manager, and then every
     Interval frames.

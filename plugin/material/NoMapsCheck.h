@@ -9,9 +9,9 @@ namespace Lixel {
 
 /** Says in the log that a scene manager draws with Lixel's materials where no map is ever fitted.
 
-    Each is said once: that there are no shadow textures; that no light has a setup which tells of
-    its maps. Both are how things look while a scene is being made, so it is not before some views
-    without maps have been drawn in a row, and then every so many, that it looks.
+    Each of these is logged once: there are no shadow textures; no light has a setup that tells
+    observers of its maps. Both are normal while a scene is being built. So the check waits for some
+    views without maps in a row, and is repeated after every so many.
 */
 class NoMapsCheck {
 public:

@@ -19,9 +19,9 @@ namespace Lixel {
     for no material, and ends in an exception about another.
 
     @param sceneManager whose materials are set
-    @param receiver empty for none: integrated shadow techniques take none, and leave it out. Which
-    of additive and modulative ones it goes with is known when it is drawn, since the technique may
-    be set later: the log says then if it is the other
+    @param receiver name of the receiver material; empty for none. Integrated shadow techniques use
+    none. Whether it fits the technique (additive or modulative) is checked when it is drawn, since
+    the technique may be set later; a mismatch is logged
     @throws Ogre::ItemIdentityException where there is no material of a name, with those that there
     are
 */

@@ -9,11 +9,11 @@ namespace Lixel {
 
     Those behind the viewer are among them: what decides is whether a light ray goes through the
     caster's box to a point that is in view, within the receivers' bounds and the shadow distance.
-    A fit says the same with these casters as with all of the scene; in particular there is one
-    among them if there is any in the scene, so that "no caster" and "nothing is shadowed" stay
-    apart. Casters without bounds are always counted.
+    A fit gives the same result with these casters as with all of the scene's. If the scene has any
+    caster, at least one is returned (the witness), so that "no caster" and "nothing is shadowed"
+    can be told apart. Casters without bounds are always counted.
 
-    Only where the last such witness was found is remembered, and it is asked again.
+    Only the place of the last witness is remembered. It is tried first the next time.
 */
 class LIXEL_API CasterSearch {
 public:

@@ -9,12 +9,11 @@ class SceneManager;
 
 namespace Lixel {
 
-/** A number that no other object has or will have: what is remembered of a light or a camera is
-    remembered by it, since another may come to be at the address, and under the name, of one that
-    has gone.
+/** A number that is unique to a light or camera; no later object gets it again.
 
-    The object itself carries it, among its user objects, and so it goes with it. A user who clears
-    those makes it another object. */
+    Memories of lights and cameras are keyed by it, since a new object may have the address and the
+    name of a destroyed one. The number is kept among the object's user objects. A user who clears
+    those makes it count as a new object. */
 using Identity = std::uint64_t;
 
 LIXEL_API Identity identityOf(const Ogre::MovableObject& object);

@@ -21,7 +21,7 @@ using TriangleCorners = std::array<std::uint32_t, 3>;
     the buffer is too short
 */
 LIXEL_API std::vector<Vec3> readPositions(const Ogre::VertexData& data);
-/// Of `count` vertices from the `first` on, in place of what `positions` held.
+/// The same for `count` vertices, starting at index `first`. Overwrites `positions`.
 LIXEL_API void readPositions(const Ogre::VertexData& data, std::size_t first, std::size_t count,
                              std::vector<Vec3>& positions);
 

@@ -18,8 +18,8 @@ namespace Lixel {
 
 /** Reads something of a mesh from its buffers, a part at a time.
 
-    Nothing of the mesh is held from one part to the next: what is in the buffers' place then is
-    compared with what was there, and where it is something else, reading starts anew.
+    No mesh data is held between two calls. Each call compares the mesh's buffers with those of the
+    call before. If they differ, reading starts anew.
 */
 class MeshReading {
 public:
@@ -61,8 +61,9 @@ protected:
     virtual bool read(const Ogre::Mesh& mesh, const Parts& parts, ReadingAllowance& allowance) = 0;
     virtual double timeFor(const Parts& parts) const = 0;
 
-    /// Reads the next vertices of a part into mPositions. @param each the price of one of them,
-    /// beside reading it @return false when the allowance is used up
+    /// Reads the next vertices of a part into mPositions.
+    /// @param each microseconds that one vertex costs, in addition to reading it
+    /// @return false when the allowance is used up
     bool readVertices(const Part& part, double each, ReadingAllowance& allowance);
     static double timeForVertices(const Part& part, double each);
 

@@ -30,9 +30,9 @@ namespace Lixel {
     and again has no hull, until it is prepared. One whose buffers an application rewrites in place
     otherwise keeps its first shape.
 
-    Null is what moves its vertices (skeletons, morphs, poses), meshes without triangles that can be
-    read, and what is not read yet. What is not null holds for as long as the mesh is there, and is
-    not to be read anew.
+    A shape is null for meshes that move their vertices (skeletons, morphs, poses), for meshes
+    without readable triangles, and for meshes that are not read yet. Other pointers stay valid
+    until the mesh is destroyed or read anew.
 */
 class LIXEL_API MeshShapes {
 public:
@@ -102,7 +102,7 @@ private:
     /// What is left of it: for all meshes, and for those that take several frames.
     double mTimeLeft = DefaultFrameTime;
     double mTimeLeftForLarge = LargeShare * DefaultFrameTime;
-    unsigned long mFrame = 0;
+    unsigned long mFrame = ~0UL; // none yet
     unsigned mPictures = 0;
     std::size_t mBytesRead = 0;
 

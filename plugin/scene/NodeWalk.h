@@ -11,10 +11,10 @@ class SceneNode;
 
 namespace Lixel {
 
-/** Collects the scene nodes with objects that may touch a volume, as OGRE finds what a camera sees.
+/** Collects the scene nodes whose objects may touch a volume.
 
-    OGRE's own bounds of nodes decide, by which it culls too: of a node with all its children in the
-    default scene manager, of octants in the octree one. Who is left out here would not be drawn.
+    Nodes are culled by the bounds that OGRE culls by: those of a node with all its children in the
+    default scene manager, those of octants in the octree one. What is left out is not drawn either.
     These bounds are this frame's wherever objects' boxes are: OGRE updates both at once. A scene
     manager of another kind may mean something else by them; all of its nodes are collected.
 

@@ -85,8 +85,8 @@ private:
 
 #ifdef OGRE_NODELESS_POSITIONING // which is off since 13 unless OGRE is built with it
 
-/// Whether a light may have a direction that its node does not. Only such a one can be a NaN: where
-/// a node's is, OGRE itself asserts that what is attached to it has a box for bounds.
+/// Whether a light may have a direction of its own, apart from its node's. Only such a direction
+/// can be NaN: for a NaN in a node, OGRE itself asserts that attached objects have valid bounds.
 inline constexpr bool LightsHaveDirections = true;
 
 // It is all deprecated.

@@ -30,8 +30,9 @@ public:
     /// Whether it casts, of those that are drawn: as its `castShadows` says, within its rendering
     /// distance.
     bool casts(const Ogre::MovableObject& object) const;
-    /// Whether it receives, of those that are drawn: as its rendering distance, self-shadowing, its
-    /// render queue group and its materials have it. @param bare for parts without one
+    /// Whether a drawn object receives shadows. Its rendering distance, self-shadowing, its render
+    /// queue group and its materials decide.
+    /// @param bare handles and logs parts without a material
     bool receives(Ogre::MovableObject& object, BareParts& bare) const;
 
 private:

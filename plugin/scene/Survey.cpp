@@ -82,7 +82,11 @@ void Survey::visit(Ogre::MovableObject& object) {
     if (mView.classify(box) == ConvexVolume::Side::Outside || !mRules.receives(object, mBareParts))
         return;
     const std::size_t index = mReceivers.size();
+    const std::size_t unbounded = mReceivers.unbounded();
     mReceivers.add(box);
+    // A box may be finite and too large to have bounds.
+    if (mReceivers.unbounded() > unbounded && mUnboundedName.empty())
+        mUnboundedName = object.getName();
     if (mReceivers.size() > index) {
         mReceiverShapes.add(object);
         if (needsSurface(box)) addSurface(object, index);

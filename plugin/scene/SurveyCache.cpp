@@ -36,7 +36,8 @@ public:
         return mTimed;
     }
 
-    void shadowTexturesUpdated(std::size_t) override { mCamera = nullptr; }
+    void end() { mCamera = nullptr; }
+    void shadowTexturesUpdated(std::size_t) override { end(); }
     void sceneManagerDestroyed(Ogre::SceneManager* source) override;
 
 private:
@@ -72,6 +73,11 @@ const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& v
         addSceneManagerListener(*manager, *entry);
     }
     return entry->get(viewer, viewport, shadowDistance);
+}
+
+void endSurvey(Ogre::SceneManager& sceneManager) {
+    const auto found = cache().find(&sceneManager);
+    if (found != cache().end()) found->second->end();
 }
 
 void dropSurveys() {

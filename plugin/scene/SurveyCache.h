@@ -24,6 +24,10 @@ struct TimedSurvey {
 LIXEL_API const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
                                        double shadowDistance);
 
+/// Ends a scene manager's survey, for requests outside of a preparation: nothing tells when objects
+/// move or go after them.
+LIXEL_API void endSurvey(Ogre::SceneManager& sceneManager);
+
 /// Forgets all surveys, and leaves nothing behind in scene managers.
 LIXEL_API void dropSurveys();
 

@@ -24,8 +24,8 @@ class LIXEL_API CascadesShadowCameraSetup : public FittedShadowCameraSetup {
 public:
     /// @param technique of each slice's map; its filter radius, bias and visible points do not
     /// count, this setup's do
-    /// @throws Ogre::InvalidParametersException unless it is one of Lixel's, and no cascades; and
-    /// where an option has none of its values
+    /// @throws Ogre::InvalidParametersException if `technique` is null, not one of Lixel's setups,
+    /// or a cascades setup; or if an option's value is not valid
     static std::shared_ptr<CascadesShadowCameraSetup>
     create(const Ogre::ShadowCameraSetupPtr& technique, const CascadeOptions& options = {}) {
         return std::make_shared<CascadesShadowCameraSetup>(technique, options);
@@ -38,7 +38,7 @@ public:
 
     const CascadeOptions& getOptions() const { return mOptions; }
     /// Sets all options of the cascades; what is not named has its default.
-    /// @throws Ogre::InvalidParametersException where an option has none of its values.
+    /// @throws Ogre::InvalidParametersException if an option's value is not valid.
     void setOptions(const CascadeOptions& options);
     /// Sets the option `split_depths`, to what PSSMShadowCameraSetup::getSplitPoints() returns.
     /// @throws Ogre::InvalidParametersException unless positive, finite and ascending.

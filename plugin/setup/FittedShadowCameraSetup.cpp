@@ -255,7 +255,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     news.tell(*light, result.reason, problem);
     if (!survey.unboundedName().empty() && result.hasMap())
         news.tellWithoutBounds(*light, survey.unboundedName());
-    if (!isDrawn) return; // nobody sees it
+    if (!isDrawn) return endSurvey(sceneManager); // asked for the matrices alone
     publishShadowMap({.sceneManager = sceneManager,
                       .viewer = *viewer,
                       // OGRE hands out its own, mutable light as const.

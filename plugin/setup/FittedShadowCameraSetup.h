@@ -38,10 +38,11 @@ struct CommonOptions {
     double depthBias = 0.0;
     /** Whether maps are fitted to convex hulls of meshes, where these fill their boxes badly, such
         as what is long and turned. Hulls are made of a mesh's vertices as they were first read:
-        turn it off where static buffers are rewritten in place. What may move vertices otherwise
-        has no hull: vertex programs other than Lixel's and the shader generator's, larger bounds
-        than the vertices', buffers that are not static, skeletons, vertex animations and manual
-        levels of detail. A large mesh has none for some frames, until it is read.
+        turn it off where static buffers are rewritten in place. No hull is used for meshes whose
+        vertices may move in another way: with vertex programs other than Lixel's and the shader
+        generator's, bounds larger than those of the vertices, buffers that are not static,
+        skeletons, vertex animations or manual levels of detail. A large mesh has no hull for some
+        frames, until it is read.
         @see prepareMesh */
     bool meshHulls = true;
 
@@ -66,10 +67,12 @@ struct CommonOptions {
     something to show. Where these do not suffice, and where there is one map, it has no shadow, and
     the log says so.
 
+    Maps of one light are asked for in order, from the first one on, as OGRE does.
+
     Where there is no map to draw (a light that shadows nothing in view, or bad input) no caster is
-    drawn and everything is lit. Of bad input the log says why: one line for each light and reason,
-    whichever of its maps and viewers it is, and no other until the light had nothing wrong for 600
-    frames, so that input which is bad in every other frame does not flood it.
+    drawn and everything is lit. Bad input is logged: one line for each light and reason, whatever
+    map or viewer. The same reason is logged again only after the light had nothing wrong for 600
+    frames, so input that is bad in every other frame does not flood the log.
 
     Options can be set and read as text too, those of CommonOptions among them, here or by
     Ogre::StringInterface. OGRE's dictionary goes with Root; what is declared here works without.
@@ -86,9 +89,9 @@ public:
 
     /// Sets an option from text.
     /// @return true
-    /// @throws Ogre::InvalidParametersException where there is no such option, or the value is none
-    /// of the option's, with those that there are. (StringInterface's own returns false for an
-    /// option that there is not.)
+    /// @throws Ogre::InvalidParametersException for an unknown option or an invalid value; the
+    /// message lists the valid ones. (Ogre::StringInterface::setParameter returns false for an
+    /// unknown option.)
     bool setParameter(const Ogre::String& keyword, const Ogre::String& value);
     /// An option's value, as setParameter reads it; empty where there is no such option.
     Ogre::String getParameter(const Ogre::String& keyword) const;
@@ -125,27 +128,29 @@ public:
 protected:
     /// Without options of its own.
     FittedShadowCameraSetup();
-    /// @param name what it is called in lists and scripts, no other setup's
-    /// @param declared its own options, of the structure `options`; both must outlive it
+    /// @param name of the setup in lists and scripts; unique among setups
+    /// @param declared options of this setup, members of the structure that `options` points to
+    /// @param options that structure; it and `declared` must outlive the setup
     FittedShadowCameraSetup(std::string_view name, std::span<const Option> declared, void* options);
 
-    /// @throws Ogre::InvalidParametersException where a structure's option has none of its values.
+    /// @throws Ogre::InvalidParametersException if an option's value is not valid.
     static void checkOptions(std::span<const Option> declared, const void* options);
 
     /// The technique: one map of the problem. @see fit/problem/ShadowFit.h
     virtual ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept = 0;
 
-    /// Who is served by which map. Where there are more parts than maps, those with nothing to draw
-    /// get none. @param maps that the light has, at least 1
-    /// @return no part where that many maps are too few
+    /// Divides the light into parts, one map each. Where there are more parts than maps, parts with
+    /// nothing to draw get none.
+    /// @param maps how many maps the light has, at least 1
+    /// @return an empty partition where that many maps are too few
     virtual LightPartition divide(const ShadowProblem& problem, std::size_t maps,
                                   DivisionMemory& memory) const noexcept;
 
     /// What divide() is given, for one light and viewer.
     virtual std::unique_ptr<DivisionMemory> makeDivisionMemory() const;
 
-    /// How many maps it makes at most of a sun that has so many. What a lamp takes depends on what
-    /// stands around it.
+    /// How many of so many available maps the setup fills at most, for a directional light. (How
+    /// many a lamp needs depends on what stands around it.)
     virtual std::size_t mapsOfSun(std::size_t) const noexcept { return 1; }
 
     /// Another setup's technique, for setups that are made of others.

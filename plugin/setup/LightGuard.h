@@ -11,11 +11,11 @@ namespace Lixel {
 /** Keeps lights with a NaN or an infinity away from OGRE, which aborts on them.
 
     OGRE turns a shadow camera towards the light before it asks any ShadowCameraSetup, and that
-    asserts on NaN. So before each scene is drawn the guard looks for visible lights whose direction
-    or position is not finite, or since OGRE 13.6 whose angle or shadow distance is not, and for
-    those that have neither, as lights without a node since OGRE 13, takes all their visibility
-    flags off, which hides them, says so in the log (@see News.h how often), and
-    puts the flags on again when they are good again.
+    asserts on NaN. So the guard checks visible lights before each scene is drawn. Bad is a light
+    whose direction or position is not finite, since OGRE 13.6 one whose angle or shadow distance
+    is not, and since OGRE 13 one without a node. The guard takes all visibility flags off a bad
+    light, which hides it, and logs this (News.h says how often). It restores the flags when the
+    light is good again.
 
     Light::setVisible stays the user's: a light that was hidden or shown while it was guarded is
     hidden or shown afterwards. So are visibility flags set meanwhile (except 0), which

@@ -23,8 +23,13 @@ bool LightNews::isNew(Trouble trouble) {
     return mNews.isNew(trouble, thisFrame());
 }
 
+void LightNews::use() {
+    mLastUse = thisFrame();
+}
+
 bool LightNews::isForgettable() const {
-    return mNews.isOver(thisFrame()) && !toldOfParts;
+    const bool isUsed = thisFrame() - mLastUse <= News::Quiet;
+    return mNews.isOver(thisFrame()) && !(toldOfParts && isUsed);
 }
 
 void LightNews::tell(const Ogre::Light& light, FitReason reason, const ShadowProblem& problem) {

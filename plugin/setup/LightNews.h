@@ -33,14 +33,18 @@ public:
     void tell(const Ogre::Light& light, FitReason reason, const ShadowProblem& problem);
     void tellWithoutBounds(const Ogre::Light& light, const std::string& body);
 
-    /// Whether nobody need remember what was told.
+    /// Its light is asked for in this frame.
+    void use();
+    /// Whether this can be deleted: it holds nothing that must still be remembered.
     bool isForgettable() const;
 
-    /// Once for good: to find it out costs the fits of what is left over.
+    /// Whether "needs more shadow maps than it has" was logged. It is logged only once, as long as
+    /// the light is used: each check costs the fits of all parts that got no map.
     bool toldOfParts = false;
 
 private:
     News mNews;
+    unsigned long mLastUse = 0;
 };
 
 void logWarning(const std::string& message);

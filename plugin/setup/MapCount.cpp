@@ -12,8 +12,9 @@
 namespace Lixel {
 namespace {
 
-/// Whether a light is a sun, and no other casts shadows: textures are counted for a type of lights,
-/// so of several one may have more than it takes. The number that a lamp takes is not its setup's.
+/// Whether a light is the only directional light that casts shadows. OGRE counts textures for each
+/// type of light, so one of several suns may have more than it needs. Lamps are left out: how many
+/// maps they need does not depend on the setup alone.
 bool isOnlySun(const Ogre::Light& light, const Ogre::SceneManager& sceneManager) {
     const auto isOther = [&](const Ogre::Light* other) {
         return other != &light && other->getType() == Ogre::Light::LT_DIRECTIONAL &&

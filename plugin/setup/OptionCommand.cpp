@@ -81,7 +81,7 @@ Ogre::String FittedShadowCameraSetup::getParameter(const Ogre::String& keyword) 
 }
 
 const Ogre::ParameterList& FittedShadowCameraSetup::getParameters() const {
-    // The dictionary is not among what the setup is.
+    // OGRE's dictionary is not part of the setup's state.
     const_cast<FittedShadowCameraSetup*>(this)->declareParameters();
     return StringInterface::getParameters();
 }

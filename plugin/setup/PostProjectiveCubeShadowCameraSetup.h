@@ -19,7 +19,7 @@ namespace Lixel {
 class LIXEL_API PostProjectiveCubeShadowCameraSetup
     : public TechniqueShadowCameraSetup<CubeOptions> {
 public:
-    /// @throws Ogre::InvalidParametersException where an option has none of its values.
+    /// @throws Ogre::InvalidParametersException if an option's value is not valid.
     static std::shared_ptr<PostProjectiveCubeShadowCameraSetup>
     create(const CubeOptions& options = {}) {
         return std::make_shared<PostProjectiveCubeShadowCameraSetup>(options);

@@ -43,7 +43,9 @@ SetupMemory::Kept SetupMemory::of(Ogre::SceneManager& sceneManager, const Ogre::
     std::unique_ptr<LightMemory>& memory = scene.lights[{identity, identityOf(viewer)}];
     if (!memory) memory = std::make_unique<LightMemory>();
     memory->lastFrame = frame;
-    return {*memory, scene.news[identity]};
+    LightNews& news = scene.news[identity];
+    news.use();
+    return {*memory, news};
 }
 
 } // namespace Lixel

@@ -28,8 +28,8 @@ struct LightMemory {
     std::array<CasterVolume, LightPartition::Capacity> volumes;
     unsigned long lastFrame = 0;
 
-    // This preparation's, from its first map on.
-    /// The application's, relative to the viewer.
+    // Valid for one preparation of shadow textures: set for the light's first map.
+    /// The points given to setVisiblePoints, relative to the viewer.
     std::vector<VisiblePoint> visiblePoints;
     LightPartition parts;
     const BoxSet* casters = nullptr;
@@ -43,8 +43,8 @@ struct LightMemory {
     ~LightMemory();
 };
 
-/// What a setup keeps of all lights and viewers. A scene's goes with its scene manager: caster
-/// volumes are OGRE's own frustums, which must not outlive it.
+/// What a setup keeps of all lights and viewers. A scene manager's part is dropped with it: caster
+/// volumes derive from Ogre::Frustum and must not outlive the scene manager.
 class SetupMemory : SceneWatcher {
 public:
     struct Kept {

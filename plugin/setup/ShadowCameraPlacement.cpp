@@ -17,12 +17,12 @@ namespace {
 /// like its inverse, is well within.
 constexpr double GreatestDeterminant = 0x1p96;
 
-/** The unit of length in which the shadow camera sees, in world units: 1 except in worlds of some 10⁹
-    units and more, or 10⁻⁹ and less.
+/** The unit of length in which the shadow camera sees, in world units: 1 except in worlds of some
+    10⁹ units and more, or 10⁻⁹ and less.
 
-    OGRE inverts the projection in floats, and asserts that what comes out is a number: of a sun's
-    the determinant is that of a map's sides and depth, an inverse volume. A power of two, so that
-    the product of projection and view stays the same to the last bit. */
+    OGRE inverts the projection in floats, and asserts that the result is a number. The determinant
+    of a sun's projection is proportional to 1 / (map's volume), so it may leave the range of
+    floats. The unit is a power of two: projection * view stays the same to the last bit. */
 double unitOf(const ShadowFit& fit) {
     const double determinant = std::abs(fit.clipFromLight.determinant());
     const bool isFar = determinant > GreatestDeterminant || determinant < 1.0 / GreatestDeterminant;
@@ -33,8 +33,9 @@ double unitOf(const ShadowFit& fit) {
 /** Near and far distance of the shadow camera.
 
     The matrices do not use them, but casters and receivers of others may. A sun's camera stands at
-    the viewer, with casters behind it: there is no distance to give. Without a map what is white
-    has to be beyond everything. Never 0: the octree skips the far end's test then. */
+    the viewer, with casters behind it: there is no distance to give. Without a map the far
+    distance is very large, so that the cleared (white) texture means beyond everything. The far
+    distance is never 0: the octree would skip the test of the far plane. */
 Vec2 clipDistances(const ShadowFit& fit) {
     constexpr double Endless = 1e9;
     if (!fit.hasMap()) return {1.0, Endless};

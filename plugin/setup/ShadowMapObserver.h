@@ -21,8 +21,8 @@ struct ShadowMap {
     Ogre::Camera& shadowCamera;
     /// Which of the light's maps this is.
     std::size_t iteration;
-    /// Which receivers it serves, relative to the fit's origin: those where the light's other maps
-    /// have a lesser function.
+    /// Which receivers this map serves: the points where its affine function, relative to the
+    /// fit's origin, is greater than those of the light's other maps.
     const ShadowPart& part;
     /// The matrices, and why they are as they are. Without a map nothing is drawn, and all is lit.
     const ShadowFit& fit;

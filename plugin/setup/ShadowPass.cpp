@@ -23,7 +23,7 @@ public:
     /// @param volume the camera's culling frustum from now on, or null to leave it as it is
     void arm(Ogre::Camera& camera, Ogre::Frustum* volume) {
         Ogre::RenderTarget* const target = camera.getViewport()->getTarget();
-        // The first time is what has to come back.
+        // Only the first call saves the culling frustum, which is restored after the pass.
         Armed& armed =
             mArmed[target].try_emplace(&camera, Armed{camera.getCullingFrustum()}).first->second;
         if (volume != nullptr) {

@@ -28,9 +28,9 @@ void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
 /// A culling frustum is about to go: no camera that waits for its pass keeps it.
 void releaseShadowPass(const Ogre::Frustum& cullingFrustum);
 
-/// Shadow maps from a camera's own on: OGRE gives lights what is left. The camera's is the first;
-/// none where it draws into no shadow texture of the scene manager's: applications also ask setups
-/// for the matrices alone, with a camera of their own.
+/// The scene manager's shadow maps, from the one that this camera draws into to the last. Empty
+/// where the camera draws into none of them: applications also ask setups for the matrices alone,
+/// with a camera of their own.
 std::vector<ShadowTarget> shadowTargetsFrom(const Ogre::Camera& camera,
                                             Ogre::SceneManager& sceneManager);
 

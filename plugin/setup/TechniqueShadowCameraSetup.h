@@ -16,7 +16,7 @@ namespace Lixel {
 template <TechniqueOptions Options>
 class LIXEL_API TechniqueShadowCameraSetup : public FittedShadowCameraSetup {
 public:
-    /// @throws Ogre::InvalidParametersException where an option has none of its values.
+    /// @throws Ogre::InvalidParametersException if an option's value is not valid.
     static std::shared_ptr<TechniqueShadowCameraSetup> create(const Options& options = {}) {
         return std::make_shared<TechniqueShadowCameraSetup>(options);
     }
@@ -29,7 +29,7 @@ public:
 
     const Options& getOptions() const { return mOptions; }
     /// Sets all of the technique's options; what is not named has its default.
-    /// @throws Ogre::InvalidParametersException where an option has none of its values.
+    /// @throws Ogre::InvalidParametersException if an option's value is not valid.
     void setOptions(const Options& options) {
         checkOptions(Options::technique().options, &options);
         mOptions = options;

@@ -278,5 +278,28 @@ TEST(Sharing, SceneManagersMayComeAndGo) {
     EXPECT_LT(scene.visibilityAt(InShadow), 128);
 }
 
+/// Where things were when an application asked for matrices is not where they are drawn.
+TEST(Sharing, MatricesAskedForAloneLeaveNothingBehind) {
+    std::array<Mat4, 2> drawn;
+    for (const bool asks : {false, true}) {
+        BoxOnGround scene("", "Uniform");
+        scene.stage.drawFrame();
+        if (asks) {
+            Ogre::Camera own("own", &scene.stage.sceneManager());
+            own._notifyViewport(&scene.stage.viewport());
+            scene.stage.light().getCustomShadowCameraSetup()->getShadowCamera(
+                &scene.stage.sceneManager(), &scene.stage.camera(), &scene.stage.viewport(),
+                &scene.stage.light(), &own, 0);
+        }
+        // It receives its shadow where it goes.
+        scene.ground->setPosition(0, -1, 0);
+        LastMap published;
+        scene.stage.drawFrame();
+        ASSERT_TRUE(published.fit.hasMap());
+        drawn[asks ? 1 : 0] = published.fit.clipFromWorld;
+    }
+    EXPECT_EQ(drawn[0], drawn[1]);
+}
+
 } // namespace
 } // namespace Lixel::Tests

@@ -9,9 +9,9 @@ namespace Lixel {
 /** A technique from its rule: a function of a WarpContext and its options, and of a RuleState where
     it remembers something or needs room.
 
-        const Technique& XpsmOptions::technique() {
-            static const Technique declared = declare<XpsmOptions, xpsmWarp>(
-                "XPSM", "extended perspective shadow map", "Gusev 2007", Options);
+        const FitTechnique& XpsmOptions::technique() {
+            static constexpr FitTechnique declared = declare<XpsmOptions, xpsmWarp>(
+                "XPSM", "extended perspective shadow map", "Gusev 2007", Declared);
             return declared;
         }
 

@@ -11,11 +11,12 @@
 namespace Lixel {
 namespace {
 
-/// Halvings of the interval that holds the part of a warp which rounding leaves: what is left of it
-/// changes the least of denominators, which is at least 2^-13, by less than a thousandth.
+/// Halvings in the search for the part of a warp that rounding allows. The last interval changes
+/// the least denominator, which is at least 2^-13, by less than a thousandth.
 constexpr int PullSteps = 24;
 
-/// Least depth range, as a fraction of the focus region's size: the light along a flat receiver.
+/// Least depth range, as a fraction of the focus region's size, for a flat receiver across the
+/// light.
 constexpr double LeastDepthRange = 1e-3;
 
 /// A warp and the map that is made of it.
@@ -54,7 +55,7 @@ WarpChoice choose(const WarpContext& context, const WarpRule& rule, FitState& st
     return choice;
 }
 
-/// The longest part of a warp around which a map can be placed without rounding that would show.
+/// Places the map with the longest part of the chosen warp at which rounding does not show.
 Placement placeWarp(const WarpContext& context, const WarpChoice& choice, const RegionScale& scale,
                     FitState& state) {
     const FocusRegion& region = context.region;
@@ -110,7 +111,7 @@ Vec2 depthRow(bool directional, double lsNear, double lsFar, double leastDenomin
     return row * leastDenominator;
 }
 
-/// The depths that receive, and no more, where casters before them are clamped onto the near end.
+/// The receivers' depth range. Where depths cannot be clamped, it is stretched to the casters.
 DepthRow depthOf(const WarpContext& context, const RegionScale& scale, double leastDenominator) {
     const FocusRegion& region = context.region;
     const ShadowProblem& problem = context.problem;
@@ -166,7 +167,8 @@ void setDepth(const DepthRow& depth, ShadowFit& fit) {
     fit.depthPerWorldUnit = 1.0 / (depth.lsFar - depth.lsNear);
 }
 
-/// What a receiver's filter may reach. @return whether it could be told by so few vertices
+/// Sets the polygon that a receiver's filter may reach.
+/// @return false where the polygon would need more vertices than it can hold
 bool setFocus(const WarpContext& context, const Placement& placement, PlacementScratch& scratch,
               ShadowFit& fit) {
     const Vec2 size(context.problem.mapWidth, context.problem.mapHeight);

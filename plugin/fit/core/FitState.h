@@ -14,7 +14,7 @@ struct SearchMemory {
     /// The best that it knew of, which the spread settles towards; none where there was nothing to
     /// judge by.
     std::optional<Vec3> wsTarget;
-    /// How far around the target it looks next, and how often it has.
+    /// How far around the target the search looks next, and how often it has followed a frame.
     double step = 0.0;
     int turn = 0;
     FrameFingerprint fingerprint;
@@ -29,7 +29,7 @@ struct FitMemory {
     std::optional<SearchMemory> search;
     /// Radius of the sphere that a stable map was made for, in world units; 0 before.
     double stableRadius = 0.0;
-    /// How often the direction was given up for a smaller map.
+    /// How often the last map's axis was given up, for a smaller map or because of rounding.
     std::size_t orientationJumps = 0;
 };
 

@@ -10,8 +10,8 @@ enum class Served { Everything, Part, Nothing };
 /** Cuts the focus region to the light rays that a map has a place for: those q for which
     H (q, 1) = (x, y, w) has -w <= x <= w and -w <= y <= w, which makes w > 0.
 
-    Where that is nothing, or H is not finite, even in float, or turns orientation, the region stays
-    as it is.
+    The region stays as it is where no ray is left, where H is not finite (in float too), or where
+    H reverses orientation.
     @param homography rows x, y and w of the map, acting on ℓ
 */
 Served cutToMap(const Mat3& homography, FocusRegion& region, PlacementScratch& scratch);

@@ -172,9 +172,9 @@ void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp,
         beyondHorizon = beyondHorizon || unwarped < least;
         p = region.liCentre + p / std::max(unwarped, least);
     }
-    // A few texels beyond the far end it may reach the horizon; half the hull's own least value
-    // keeps the polygon finite. A corner held back is not on its own ray any more, so that the hull
-    // itself belongs to the result as it is.
+    // A few texels beyond the far end, the grown polygon may reach the horizon. Half of the hull's
+    // own least value, as a bound, keeps it finite. A corner held back is no longer on its own ray,
+    // so the hull itself is added to the result.
     points.assign(grown.begin(), grown.end());
     if (beyondHorizon) points.insert(points.end(), region.liHull.begin(), region.liHull.end());
     convexHull(points, grown);

@@ -17,8 +17,8 @@ inline constexpr double LeastTexel = 0x1p-19;
 /// warp makes texels finer than that, rounding would show, and nobody could see them.
 inline constexpr double GreatestRounding = 1.0;
 
-/// The same in a map whose axes are those of the last frame, which a warp does not depend on:
-/// beyond it they are given up.
+/// The same bound for a map that keeps the last frame's axes. The warp does not depend on them.
+/// Beyond the bound the axes are given up.
 inline constexpr double GreatestBorderRounding = 2.0 * GreatestRounding;
 
 /// Texels to keep free on each side of a map, with nothing added for the rounding of positions.
@@ -50,7 +50,8 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre);
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
                    const Vec2& warp, double liReach, const std::optional<Vec3>& wsLastAxis);
 
-/// A map that is given whole, as the warp that its row w is and what is affine in it.
+/// Splits a map that is given whole into its warp, read from row w, and the affine rest.
+/// @param[out] warp of its row w
 Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp);
 
 /// The focus region and what a receiver's filter reaches beyond it, in the light image: the warped

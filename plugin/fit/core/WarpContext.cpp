@@ -73,7 +73,7 @@ WarpContext warpContext(const ShadowProblem& problem, const LightImage& image,
         .view = {},
         .perspective = viewer.clipFromView.row(3).head<3>().norm() >
                        NoPerspective * std::abs(viewer.clipFromView(3, 3)),
-        // What is a texel to rounding, where the region is smaller than a map of those.
+        // At least the least texel that float positions allow, however small the region.
         .thickness = std::max(scale.liSize / std::max(problem.mapWidth, problem.mapHeight),
                               LeastTexel * scale.liReach),
     };

@@ -59,7 +59,8 @@ void forClipped(const ShadowProblem& problem, const LightImage& image, const Foc
                 const Visit& visit) {
     for (const Vec3& ws : scratch.wsPoints) {
         const Vec3 ls = image.lsFromPoint(ws);
-        // A clipped vertex lies on the near plane, up to rounding; nothing is divided by less.
+        // Clipping leaves no depth below the near distance, except for rounding. Skipping below
+        // half of it makes the division by depth safe.
         if (!image.directional() && -ls.z() < 0.5 * problem.light.nearDistance) continue;
         visit(ws, ls);
     }

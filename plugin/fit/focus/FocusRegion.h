@@ -8,9 +8,10 @@ namespace Lixel {
 
 /** The focus region: the light rays that meet a visible receiver and a caster before it.
 
-    Gusev 2007, §3.6 takes the boxes of all receivers and of all casters; here receivers are clipped
-    to the view volume first, casters that cannot reach a receiver are left out, and hulls are
-    intersected instead of boxes: a large ground would otherwise make the map that of its whole box.
+    Gusev 2007, §3.6 takes the boxes of all receivers and of all casters. Here receivers are clipped
+    to the view volume first, casters that cannot shadow a receiver are left out, and hulls are
+    intersected instead of boxes. Otherwise the map would have to cover the whole box of a large
+    ground.
 */
 struct FocusRegion {
     /// None, UnboundedBody, or the reason why there is nothing to focus on.

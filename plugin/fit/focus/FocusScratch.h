@@ -12,7 +12,7 @@ struct FocusScratch {
     /// The casters that may reach into what covers visible receivers.
     BoxSet kept;
     /// What is left of receivers or casters after the first questions.
-    BoxSet nearly;
+    BoxSet afterFirstPlanes;
     /// Half spaces that boxes are asked about.
     std::vector<HalfSpace> planes;
     std::vector<Vec3> wsPoints;

@@ -18,16 +18,16 @@ struct FrameFingerprint {
 FrameFingerprint fingerprintOf(const ShadowProblem& problem, const LightImage& image,
                                const FocusRegion& region);
 
-/// By how much one length differs from the other: their difference by their sum.
+/// Relative difference of two lengths: their difference divided by their sum.
 double relativeChange(double a, double b);
 
 /// How far viewer or light have turned, in radians.
 double turnBetween(const FrameFingerprint& a, const FrameFingerprint& b);
 
-/// The same, or how much one of the lengths has changed.
+/// The larger of that turn and the greatest relative change of the three lengths.
 double changeBetween(const FrameFingerprint& a, const FrameFingerprint& b);
 
-/// Change from which on it is another situation, as after a camera cut.
+/// A change of at least this is taken for a camera cut.
 inline constexpr double CameraCutChange = 0.05;
 
 } // namespace Lixel

@@ -59,7 +59,7 @@ static_assert(sizeof(std::array<Vec2, 2>) == sizeof(Four));
                                                 FourVertices& result) {
     Four low;
     Four high;
-    // Of the vertices themselves: a vertex' own data() ends with its two numbers.
+    // Of the vertices themselves: a vertex's own data() ends with its two numbers.
     std::memcpy(&low, vertices.first<2>().data(), sizeof(low));
     std::memcpy(&high, vertices.last<2>().data(), sizeof(high));
     result.x = __builtin_shufflevector(low, high, 0, 4, 2, 6);

@@ -23,7 +23,7 @@ RelevantCasters::RelevantCasters(const ShadowProblem& problem, const LightImage&
 }
 
 void RelevantCasters::addAll(const BoxSet& casters) {
-    // What is beside all receivers or behind them. The first edges to ask are apart.
+    // Drops casters beside or behind all receivers. Edges far apart are tested first.
     const std::span<const HalfSpace> edges = mReceivers.edges();
     std::vector<HalfSpace>& planes = mScratch.planes;
     planes.clear();
@@ -32,7 +32,7 @@ void RelevantCasters::addAll(const BoxSet& casters) {
         for (std::size_t i = begin; i < edges.size(); i += step)
             planes.push_back(edges[i]);
     planes.push_back(mLsDepth.to(mLsReceiverFar));
-    keepReaching(casters, planes, mScratch.nearly, mScratch.kept);
+    keepReaching(casters, planes, mScratch.afterFirstPlanes, mScratch.kept);
 
     planes.clear();
     addAllBut(

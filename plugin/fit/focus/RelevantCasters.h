@@ -24,8 +24,8 @@ public:
     double lsNear() const { return mLsNear; }
 
 private:
-    /// The lanes of boxes that would neither widen the hull, once they are cut off where no
-    /// receiver is, nor are nearer to the light.
+    /// The lanes of boxes that change nothing: clipped to the receivers, they would not widen the
+    /// hull, and they are no nearer to the light than what was added.
     unsigned lanesWithin(const BoxSet::Block& block);
     /// Leaves the edges along the receivers' hull out: nothing that is kept reaches beyond them.
     void findInnerEdges();

@@ -8,8 +8,8 @@
 namespace Lixel {
 namespace {
 
-/// Along this part of an edge, and the same way, is along it: the other side of a flat polygon is
-/// not, and the direction of an edge as short as rounding says nothing.
+/// An edge runs along another only if it is longer than this part of it, in the same direction. The
+/// far side of a flat polygon runs the opposite way. An edge as short as rounding has no direction.
 constexpr double SharedPart = 1.0 / 1024.0;
 
 } // namespace

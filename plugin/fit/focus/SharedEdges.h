@@ -11,7 +11,8 @@ namespace Lixel {
 /// Four edges of a convex polygon, prepared for the question which edges run along them.
 struct FourEdges {
     std::array<double, 4> fromX, fromY, edgeX, edgeY;
-    /// What of an edge is much of it, times its length, and how far off it may be, times the same.
+    /// The least length that another edge must have along this one, times this one's length; and
+    /// how far off its line the other's ends may be, times the same.
     std::array<double, 4> shared, slack;
 };
 

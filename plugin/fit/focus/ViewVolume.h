@@ -15,8 +15,8 @@ ConvexVolume viewVolume(const ShadowViewer& viewer);
 /// Where the viewer is, in world axes relative to the problem's origin.
 Vec3 wsEyeOf(const ShadowViewer& viewer);
 
-/// The projection with clip z turned about where it falls with depth (reversed Z): what comes first
-/// along a ray of the view has the lesser z then, whatever a depth buffer is to hold.
+/// The projection with clip z growing away from the viewer: z is negated if it falls with depth
+/// (reversed Z). So the nearer of two points on a view ray always has the lesser z.
 Mat4 withDepthAhead(const Mat4& clipFromView);
 
 /// Finds a box that holds what the viewer sees, for bodies without bounds.

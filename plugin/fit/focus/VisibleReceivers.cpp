@@ -33,7 +33,7 @@ VisibleReceivers::VisibleReceivers(const ShadowProblem& problem, const LightImag
 }
 
 void VisibleReceivers::addAll(const BoxSet& receivers) {
-    keepReaching(receivers, mSeen.planes(), mScratch.nearly, mInView);
+    keepReaching(receivers, mSeen.planes(), mScratch.afterFirstPlanes, mInView);
     addAllBut(
         mInView, [this](const BoxSet::Block& block) { return lanesWithin(block); },
         [this](const Aabb& box, std::size_t index) {

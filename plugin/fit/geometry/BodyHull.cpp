@@ -14,7 +14,7 @@ namespace {
 /// cuts through one vertex leave several of them.
 constexpr double SameVertex = 0x1p-42;
 
-/// By how much the hull is larger in the end, so that nothing is outside for rounding.
+/// The finished hull is enlarged by this part of its size: rounding leaves no point outside.
 constexpr double Outward = 0x1p-36;
 
 /// Least that a face cuts off, relative to the body's size: less is not worth its vertices.

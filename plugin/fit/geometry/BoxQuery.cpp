@@ -14,7 +14,7 @@ constexpr unsigned AllLanes = (1U << BoxSet::BlockSize) - 1;
 /// The faces of a block's boxes: for each axis the lower ones, and behind them the upper ones.
 using Faces = std::array<std::array<double, 2 * BoxSet::BlockSize>, 3>;
 
-/// A corner of all boxes, as where in the faces of each axis its own begin.
+/// One corner of every box: for each axis, the index in Faces at which its coordinates begin.
 using Corner = std::array<std::size_t, 3>;
 
 /// A half space, prepared for the question whether a box reaches into it.

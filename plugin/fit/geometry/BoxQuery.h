@@ -13,9 +13,10 @@ namespace Lixel {
 /// Relative rounding within which two bodies count as touching.
 inline constexpr double TouchingSlack = 1e-12;
 
-/// Copies the boxes that may reach to the inner side of each plane, in their order; a box that
-/// touches a plane from outside, within that part of the set's extent, does so too.
-/// @param scratch for what the first planes leave; kept is emptied first
+/// Copies the boxes that may reach the inner side of every plane, and keeps their order. A box that
+/// touches a plane from outside, within TouchingSlack of the set's extent, counts as reaching it.
+/// @param scratch holds what the first planes leave
+/// @param[out] kept is emptied first
 void keepReaching(const BoxSet& boxes, std::span<const HalfSpace> planes, BoxSet& scratch,
                   BoxSet& kept);
 

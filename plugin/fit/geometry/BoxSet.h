@@ -80,8 +80,7 @@ public:
             {block.centre[0][lane], block.centre[1][lane], block.centre[2][lane]},
             {block.halfExtents[0][lane], block.halfExtents[1][lane], block.halfExtents[2][lane]}};
     }
-    /// The index of that box in the set that it was copied from, or that one was, and so on; its
-    /// own where it was not.
+    /// The box's index in the set that it was first added to, however often it was copied since.
     std::size_t origin(std::size_t index) const {
         return mBlocks[index / BlockSize].origin[index % BlockSize];
     }

@@ -58,7 +58,7 @@ void shuffle(std::span<Vec3> directions) {
     }
 }
 
-/// Whether the cone holds all directions, with a slack for what rounding may have moved its axis by.
+/// Whether the cone holds all directions, with a slack for the rounding of its axis.
 bool holdsAll(const Cone& cone, std::span<const Vec3> directions) {
     constexpr double AxisRounding = 1e-6;
     for (const Vec3& direction : directions)
@@ -71,8 +71,8 @@ bool holdsAll(const Cone& cone, std::span<const Vec3> directions) {
 Vec3 smallestConeAxis(std::span<Vec3> directions, double widest) {
     if (directions.empty()) return Vec3::Zero();
     shuffle(directions);
-    // Cones only grow. Where directions have no half space in common, they also stop to hold those
-    // that came before; in a random order both shows after a few directions.
+    // Cones only grow. If no half space holds all directions, the cones also stop holding earlier
+    // ones. In a random order, either shows after a few directions.
     const double widestReach = 2.0 * std::sin(widest / 2.0) * (1.0 + ChordRounding);
     Cone cone(directions[0], directions[0]);
     for (std::size_t i = 1; i < directions.size(); ++i) {

@@ -71,7 +71,7 @@ void cutOff(const HalfSpace& plane, double slack, std::uint32_t newFace, ClipScr
             edges.push_back({{cut.vertex, scratch.cuts[i].vertex}, {cut.face, newFace}});
 }
 
-/// Appends the vertices that edges are left of.
+/// Appends the vertices that remaining edges use.
 void appendVertices(ClipScratch& scratch, std::vector<Vec3>& points) {
     scratch.used.assign(scratch.vertices.size(), 0);
     for (const ClipScratch::Edge& edge : scratch.edges)

@@ -77,7 +77,7 @@ void dropFlatVertices(Polygon2& polygon) {
         const std::size_t n = polygon.size();
         const Vec2 in = polygon[i] - polygon[(i > 0 ? i : n) - 1];
         const Vec2 out = polygon[i + 1 < n ? i + 1 : 0] - polygon[i];
-        // The vertex' distance from the line, times the line's length, against rounding of both.
+        // The vertex's distance from the line, times the line's length, against rounding of both.
         if (cross(in, out) <= rounding * (in + out).norm() * polygon[i].norm())
             polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
         else
@@ -193,8 +193,8 @@ void sumWithRectangle(std::span<const Vec2> polygon, const Vec2& axis, const Vec
         const Vec2 out = polygon[i + 1 < n ? i + 1 : 0] - polygon[i];
         if (out.isZero(0.0)) continue; // a repeated vertex: its last instance counts
         const std::size_t to = quarter(out);
-        // Three quarters are more than a vertex turns. By rounding it is a turn back, or, at the
-        // end of a sliver, half a turn.
+        // No vertex turns by three quarters. If rounding says so, it is really a slight turn back
+        // or, at the end of a sliver, half a turn.
         std::size_t steps = (to - from) % 4;
         if (steps == 3 && in.dot(out) > 0.0) steps = 0;
         for (std::size_t step = 0; step <= steps; ++step)

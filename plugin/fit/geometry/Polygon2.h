@@ -67,8 +67,8 @@ void clipLeftOf(std::span<const Vec2> polygon, const Vec2& from, const Vec2& to,
 
 /// The Minkowski sum with the rectangle of those half sides along `axis`, a unit vector, and its
 /// left-hand normal: what lies within the half sides of the polygon. Empty for an empty polygon.
-/// Where an edge along the rectangle is in parts, rounding may make the sum go back and forth
-/// there: it is the hull of its vertices that is convex.
+/// If several edges in a row lie along one side of the rectangle, rounding may make the sum run
+/// back and forth there. Then only the hull of its vertices is convex.
 void sumWithRectangle(std::span<const Vec2> polygon, const Vec2& axis, const Vec2& halfSides,
                       Polygon2& sum);
 

@@ -11,8 +11,9 @@
 
 /** Four numbers that are worked on at once: a register of AVX2, or two of SSE2.
 
-    Vectors of GCC, as it does not find them in loops over short arrays. Everything here is inlined
-    into each of a function's clones (VectorClones.h), and so compiled for its processor.
+    These are GCC's vector types: GCC does not vectorise loops over short arrays by itself.
+    Everything here is inlined into each clone of a function (Multiversion.h), and so compiled for
+    its processor.
 */
 namespace Lixel {
 

@@ -55,8 +55,8 @@ public:
     double measured() const { return mSum; }
     /// Then each of them gets the discs that fall to it.
     void spread(const Vec3& a, const Vec3& b, const Vec3& c);
-    /// Passes the next triangles over, up to the one after which measured() was `sum`, unless discs
-    /// fall to them. @return whether it has
+    /// Skips the next triangles, up to the one after which measured() was `sum`, unless any of them
+    /// gets a disc. @return whether they were skipped
     bool skip(double sum);
     /// The discs so far: all of them when the last triangle that has an area has got its own.
     const SurfaceCloud& cloud() const { return mCloud; }

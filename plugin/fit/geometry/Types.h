@@ -41,8 +41,8 @@ using Transform3 = Eigen::Transform<double, 3, Eigen::Affine, Eigen::DontAlign>;
 template <typename Structure>
 inline constexpr bool HasOneLayout = alignof(Structure) <= alignof(double);
 
-/// Beyond it a float's square overflows, and matrices with it: a box has no bounds, a light no
-/// place.
+/// Greatest coordinate that is used. Beyond it a float's square overflows, and so do matrices: a
+/// box counts as unbounded, and a light as having no position.
 inline constexpr double GreatestExtent = 1e18;
 
 /// An axis-aligned box as its centre and half extents; all half extents are >= 0.

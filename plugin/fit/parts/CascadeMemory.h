@@ -23,7 +23,7 @@ struct CascadeScratch {
 
 /// The depths between which slices lie: what outlives a frame.
 struct CascadeMemory {
-    /// What is seen, as settled so far; 0 before.
+    /// Nearest and farthest depth, settled so far, in world units; 0 before.
     double nearest = 0.0;
     double farthest = 0.0;
     CascadeView view;

@@ -13,11 +13,11 @@
 namespace Lixel {
 namespace {
 
-/// Most that a settled depth changes in a frame in which nothing moves noticeably, as the logarithm
-/// of a ratio, and how much more for each unit of change. Texels of a slice whose edge moves change
-/// by four times as much, or by a dozen times where shadows end near the edge, as was measured:
-/// with what the slice's own search may change they stay below the 0.02 that a fit may change when
-/// something turns by 1e-4.
+/// The most that a settled depth changes in one frame, as the logarithm of a ratio: SteadyStep if
+/// nothing moves noticeably, plus SteadyGrowth for each unit of change. Measured: when a slice's
+/// edge moves, its texels change by four times as much, or a dozen times where shadows end near
+/// the edge. Together with changes by the slice's own search, that stays below the 0.02 allowed to
+/// a fit when something turns by 1e-4 rad.
 constexpr double SteadyStep = 0.0005;
 constexpr double SteadyGrowth = 4.0;
 
@@ -33,7 +33,7 @@ constexpr double LeastNearRatio = 1e-4;
 /// Relative rounding of a near plane's depth that comes from a projection matrix in float.
 constexpr double NearRounding = 0x1p-16;
 
-/// All that view rays find: the least and the greatest of few would be anywhere.
+/// All samples that view rays can give: the least and greatest depth of only a few mean little.
 constexpr std::size_t AllSamples = ViewRays::Rounds * ViewRays::Count;
 
 CascadeView viewOf(const ShadowProblem& problem, const LightImage& image,
@@ -62,7 +62,7 @@ void settle(double nearest, double farthest, const CascadeView& view, CascadeMem
     const double step = std::min(SteadyStep + SteadyGrowth * change, GreatestStep);
     memory.nearest *= std::exp(std::clamp(nearStep, -step, step));
     memory.farthest *= std::exp(std::clamp(farStep, -step, step));
-    // One that is far from what is seen may come by the other.
+    // A depth that is still far from what is seen may overtake the other.
     memory.nearest = std::min(memory.nearest, memory.farthest);
 }
 

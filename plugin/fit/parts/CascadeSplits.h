@@ -35,12 +35,12 @@ struct CascadeScratch;
 
 /** Depths in front of the viewer at which slices meet, ascending, in world units.
 
-    With vsSplitDepths: these. With followReceivers: between the nearest and the farthest point that the viewer sees of what
-    may be shadowed (Lauritzen et al. 2011, "sample distribution shadow maps", from the fit's few
-    samples instead of all pixels). These depths follow little by little, the faster the more
-    changes in a frame: so what comes into view, or is no longer hidden, does not make all edges
-    jump. After a camera cut, and where they are more than a factor of two from what is seen, they
-    are taken as they are.
+    With vsSplitDepths, those are used. With followReceivers, slices lie between the nearest and the
+    farthest visible point that may be shadowed (Lauritzen et al. 2011, "sample distribution shadow
+    maps", from the fit's few samples instead of all pixels). These two depths follow what is seen
+    gradually, and faster the more changes in a frame. So a body that comes into view, or is no
+    longer hidden, does not make all edges jump. After a camera cut, or if they are off by more than
+    a factor of two, they jump to what is seen now.
 
     @param count slices, at least 1
     @param[out] vsSplits count - 1 depths; none where nothing in view is shadowed, or the view has

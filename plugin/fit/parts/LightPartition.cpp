@@ -19,7 +19,7 @@ void add(LightPartition& parts, const ShadowLight& light, const Vec4& wsRow) {
     part.wsRow = wsRow;
 }
 
-/// Finds where each part's function is greatest.
+/// Sets each part's bounds: the half spaces in which its function is the greatest.
 void bound(LightPartition& parts) {
     for (std::size_t i = 0; i < parts.count; ++i) {
         ShadowPart& part = parts.parts[i];
@@ -66,7 +66,7 @@ bool aimParts(const ShadowViewer& viewer, const ShadowLight& light, LightPartiti
               AimScratch& scratch) {
     Aabb bounds;
     if (!seenBounds(viewer, light, bounds)) return false;
-    // Of the pyramid's own apex, the light, only rounding is left as a direction.
+    // Points nearer than this are the apex, which is the light: their direction is only rounding.
     const double apex = 1e-9 * (bounds.halfExtents.sum() + light.wsPosition.norm());
     for (std::size_t i = 0; i < parts.count; ++i) {
         ShadowPart& part = parts.parts[i];

@@ -32,8 +32,8 @@ LIXEL_API LightPartition wholeLight(const ShadowLight& light);
 /** Slices of the view, by depth in front of the viewer.
 
     @param vsSplits where slices meet, ascending, in world units; at most Capacity - 1 of them count
-    @param vsPadding how much farther than to where it meets the next a slice's map reaches, at both
-    ends, for receivers that find slices in another way
+    @param vsPadding how far each slice's map reaches beyond its splits, at both ends, in world
+    units: for receivers that choose slices in another way
     @return one part more than splits
 */
 LIXEL_API LightPartition sliceView(const ShadowViewer& viewer, const ShadowLight& light,

@@ -23,8 +23,8 @@ inline constexpr double WidestAim = 1.3962634015954636;
     light's range, and that of the casters within it; only what is in both can be shadowed.
 
     @param[out] spot the light as a spot, where there is one
-    @return whether a cone of WidestAim holds one of them, in which bodies without bounds have no
-    part. Where there is nothing to shadow the cone is as good as any.
+    @return whether one of the two fits into a cone of WidestAim. A set that has a body without
+    bounds gives no cone. Where there is nothing to shadow, any cone will do.
 */
 bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spot);
 

@@ -9,7 +9,7 @@
 namespace Lixel {
 namespace {
 
-/// A member as what it is; a member of what is only read is not changed.
+/// An option's member, with its own type. Callers that only read the options do not change it.
 template <typename Value>
 Value& memberOf(const Option& option, const void* options) {
     return *static_cast<Value*>(option.member(const_cast<void*>(options)));

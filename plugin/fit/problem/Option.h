@@ -59,7 +59,7 @@ struct Option {
     /// Its name in scripts and on command lines, in lower_snake_case.
     std::string_view keyword;
     OptionType type;
-    /// Of a count or number, and of each of ascending ones.
+    /// Allowed values of a count or number, or of each of several ascending numbers.
     OptionRange range;
     /// "texels", "world units"; empty for a pure number.
     std::string_view unit;
@@ -75,8 +75,8 @@ LIXEL_API std::string describeValues(const Option& option);
 /// The value that a structure has, as setOption reads it; numbers to the last bit.
 LIXEL_API std::string optionText(const Option& option, const void* options);
 
-/** Reads a value from text and sets it, unless it is not one of the option's.
-    @return what is wrong, with the keyword and the values that there are: empty where it was set */
+/** Reads a value from text, and sets it if the option allows it.
+    @return empty if it was set, else an error message with the keyword and the allowed values */
 [[nodiscard]] LIXEL_API std::string setOption(const Option& option, void* options,
                                               std::string_view text);
 
@@ -87,7 +87,7 @@ LIXEL_API std::string optionText(const Option& option, const void* options);
 /// The option with that keyword; null where there is none.
 LIXEL_API const Option* findOption(std::span<const Option> declared, std::string_view keyword);
 
-/// The value of a flag, count or number as a number, for what turns knobs.
+/// The value of a flag, count or number, as a number; NaN for other types.
 LIXEL_API double optionNumber(const Option& option, const void* options);
 /// Sets it, whether it is in the range or not; a count is rounded.
 LIXEL_API void setOptionNumber(const Option& option, void* options, double value);

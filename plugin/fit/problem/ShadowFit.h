@@ -35,8 +35,8 @@ enum class FitReason {
     NothingShadowed,
     /// A receiver without bounds, seen by a viewer without a far plane or shadow distance.
     Unbounded,
-    /// A NaN, an infinity, a zero direction or a singular matrix among the input, or a map that its
-    /// filter leaves no room in.
+    /// A NaN, an infinity, a zero direction or a singular matrix in the input, or a map too small
+    /// for its filter.
     InvalidInput,
     /// A point light or a wide spot, which takes more maps than it has.
     TooFewMaps,

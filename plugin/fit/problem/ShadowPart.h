@@ -31,7 +31,8 @@ struct ShadowPart {
     ShadowLight light;
     /// (n, d): n . x + d is the part's function, in world axes relative to the problem's origin.
     Vec4 wsRow = Vec4::Zero();
-    /// The half spaces in which that is greatest, and somewhat more where slices overlap.
+    /// Half spaces that bound where this part's function is greater than the other parts'. Where
+    /// slices overlap they reach somewhat farther.
     std::array<HalfSpace, MostBounds> wsBounds{};
     std::size_t boundCount = 0;
     /// Depth in front of the viewer at which a slice ends, in world units; infinite for the last

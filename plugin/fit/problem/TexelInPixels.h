@@ -12,10 +12,10 @@ namespace Lixel {
 /** m (Lloyd et al. 2007): the largest extent of a map's texel in the viewer's picture, in pixels.
 
     On the surface's tangent plane through a point, a step of one texel in whatever direction of the
-    map moves the picture by at most m pixels: m = 1 / σ_min(d texel / d pixel). 1 is perfect, below
-    the map has texels to spare, above they show. Perspective and projection aliasing are both in
-    it. Nothing needs to be drawn, so any fit can be judged anywhere, those of other setups
-    included that a ShadowMapObserver is told of.
+    map moves the picture by at most m pixels: m = 1 / σ_min(d texel / d pixel). 1 is perfect.
+    Below 1 the map has texels to spare; above 1 its texels show. m includes both perspective and
+    projection aliasing. Nothing needs to be drawn, so any fit can be judged anywhere, also fits of
+    other setups that a ShadowMapObserver is told of.
 
     For a point beside the map, but in front of it (w > 0), it is what a larger map of the same
     matrices would have there. It grows without bound, up to infinity, towards where the surface is

@@ -106,7 +106,8 @@ bool sphereInView(const ShadowProblem& problem, RuleState state, Sphere& sphere)
     return true;
 }
 
-/// A square of the light image that a map shows, from its middle on, in the map's own axes.
+/// The homography of a map that shows a square of the light image.
+/// @param middle the square's middle, in the map's own axes
 Mat3 squareMap(const Vec2& axis, const Vec2& middle, double half, const Vec2& inner,
                const Vec2& size) {
     const Vec2 scale = inner.cwiseQuotient(size) / half;
@@ -120,7 +121,8 @@ Mat3 squareMap(const Vec2& axis, const Vec2& middle, double half, const Vec2& in
 /// The map's x axis in the light image: the last frame's, carried along with the light, so that a
 /// sun that moves turns the texels with it and no further. Light space itself may turn at once.
 Vec2 steadyAxis(const LightImage& image, FitMemory& memory) {
-    // Of a vector that was all of length 1; a light that has turned by a right angle is another.
+    // Least length of the last axis, a unit vector, in the new light image. Where it is shorter,
+    // the light has turned too far to keep it.
     constexpr double LeastLength = 0.5;
     // Where nothing moved, nothing may creep.
     constexpr double Same = 1e-12;
@@ -152,7 +154,7 @@ WarpChoice stableMap(const WarpContext& context, RuleState state) {
         return choice;
     }
     Sphere sphere;
-    // A texel more: the middle is up to half of one beside the sphere's.
+    // One texel more: snapping moves the middle by up to half a texel from the sphere's.
     const Vec2 inner = size - Vec2::Constant(2.0 * border + 1.0);
     if (!(inner.minCoeff() > 0.0) || !sphereInView(problem, state, sphere)) {
         choice.reason = FitReason::ViewWithoutEnd;

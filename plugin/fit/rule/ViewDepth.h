@@ -17,8 +17,8 @@ struct DepthRange {
 
 /** Depth in front of the viewer, in world units, as an affine function of light space.
 
-    Where a light's rays run across the view, a ray has one depth: that of its image. Along the view
-    they have many, and only a range of depths belongs to a ray.
+    A light ray that runs across the view has one depth, that of its image. A ray along the view has
+    many, so only a range of depths belongs to it.
 */
 class ViewDepth {
 public:

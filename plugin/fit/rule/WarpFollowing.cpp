@@ -7,13 +7,14 @@
 namespace Lixel {
 namespace {
 
-/// A search that follows looks no closer than this many of the steps at which a simplex is done.
+/// Least step of a search that follows the last frame's, as a multiple of LeastStep.
 constexpr double LeastFollowingSteps = 2.0;
 
 /// Turn that divides a circle most evenly, however often it is made: 2π (1 - 0.618...).
 constexpr double GoldenAngle = 2.39996322972865332;
 
-/// After so many turns they start again; a number of turns both ways.
+/// The count of turns starts again after this many. It is even, so that the simplex's side still
+/// alternates.
 constexpr int Turns = 1 << 12;
 
 /// What a search that follows must gain, relative, to look farther the next time: well above what

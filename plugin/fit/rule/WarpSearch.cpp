@@ -19,11 +19,11 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// coarse model of what is seen: less than a tenth is within its error.
 constexpr double ClearGain = 0.1;
 
-/// How much the logarithm of a denominator may change in a frame in which nothing moves noticeably,
-/// and how much more for each unit of change: as much as a spread of GreatestSpread moves when it
-/// turns with the view. A texel's extent goes with the square of its denominator and with the map's
-/// sides, which go with two more: 4 (0.004 + 8 x 1e-4) is below the 0.02 that a fit may change when
-/// something turns by 1e-4.
+/// Greatest change of a denominator's logarithm in a frame: SteadyStep where nothing moves
+/// noticeably, and SteadyGrowth more per unit of change, as much as a spread of length
+/// GreatestSpread moves when it turns with the view. A texel's extent depends on four such
+/// factors, two of its own denominator and two in the map's sides: 4 (0.004 + 8 x 1e-4) is below
+/// the 0.02 that a fit may change when something turns by 1e-4 rad.
 constexpr double SteadyStep = 0.004;
 constexpr double SteadyGrowth = WarpSearch::GreatestSpread;
 

@@ -50,9 +50,9 @@ public:
         @param evaluations of the measure; with fewer than 4 it is `start` */
     Judged around(const Judged& start, int evaluations);
 
-    /** The same from the last frame's best, `target`: what a search need do from frame to frame,
-        where little changes. The step shrinks while nothing better is found and grows again when
-        something is, and each frame also tries one spread elsewhere, all directions in turn.
+    /** Like around(), but from the last frame's best, `target`. That is enough from frame to frame,
+        where little changes. The step shrinks while nothing better is found, and grows again when
+        something is. Each frame also tries one spread elsewhere, in all directions in turn.
         @param evaluations of the measure, at least 2 */
     Judged follow(const Vec2& target, int evaluations);
 
@@ -60,8 +60,8 @@ public:
         the far end, a step to either side, and the vertex of the parabola through these. */
     Judged followAlong(const Vec2& direction, double greatest, const Vec2& target);
 
-    /** The spread to use: as much of `best` as its gain over a uniform map is worth believing, held
-        near the last frame's while the region hardly moves. */
+    /** The spread to use: the part of `best` that its gain over a uniform map justifies. It is kept
+        near the last frame's spread while the region hardly moves. */
     Vec2 settle(const Judged& best);
 
     /// The last frame's spread in this frame's light image; none after a camera cut.

@@ -139,7 +139,8 @@ double TexelExtent::sumOver(const SampleColumns& columns, std::size_t count, con
 
 void TexelExtent::reset(const std::vector<ViewSample>& samples, const Polygon2& hull,
                         const Vec2& centre) {
-    // Behind the vertices the first is repeated: edges go to it, and then nowhere.
+    // After the last vertex the first is repeated: one edge closes the polygon, and the others have
+    // length 0.
     mVertices = hull.size();
     const std::size_t vertices = inFours(mVertices + 1) + 4;
     for (std::vector<double>* column : {&mHullX, &mHullY, &mWarpedX, &mWarpedY})

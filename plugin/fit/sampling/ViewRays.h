@@ -10,9 +10,8 @@ namespace Lixel {
 
 /** View rays, one through each cell of a grid over the picture, and what they meet first.
 
-    Where the rays of one round show too little, those of the next go through other points of the
-    same cells: so many in all that a focus region which fills but a tenth of the picture still gets
-    its samples.
+    If the rays of one round show too little, those of the next go through other points of the same
+    cells. There are enough in all for a focus region that fills only a tenth of the picture.
 
     Numbers of many rays lie beside each other, and bodies are projected by fours, so that both are
     worked on in vector registers.
@@ -46,7 +45,8 @@ public:
     };
     static constexpr double Disc = 3.0;
 
-    /// Sends rays off the middles of cells, so that they do not line up with rows of objects.
+    /// Sends one ray through each cell, away from its middle, so that rays do not line up with rows
+    /// of objects.
     /// @param clipFromWorld with z growing away from the viewer, @see withDepthAhead
     /// @param round less than Rounds
     void cast(const Mat4& clipFromWorld, std::size_t round);

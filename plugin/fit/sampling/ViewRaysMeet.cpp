@@ -59,7 +59,7 @@ constexpr std::array<double, 2> CellCounts = {static_cast<double>(ViewRays::Colu
     if (inPicture == 0) return 0;
     const FourMask wholly = least > 0.0;
     for (std::size_t i = 0; i < 2; ++i) {
-        // The bounds of x / w are those at one of w's.
+        // x / w is least and greatest at one of the bounds of w.
         const Four from = clip[i] - reach[i];
         const Four to = clip[i] + reach[i];
         Four lower = from / (from < 0.0 ? least : greatest);
@@ -214,7 +214,7 @@ void meetBlock(const BoxSet::Block& block, unsigned lanes, const ClipRows& rows,
 struct FourDiscs {
     explicit FourDiscs(std::span<const Surfel> some) : discs(some) {
         for (std::size_t lane = 0; lane < discs.size(); ++lane) {
-            // Where a disc ends along an axis: its radius by the sine to its normal.
+            // Half extent along an axis: the radius times the sine of its angle to the normal.
             const Surfel& disc = discs[lane];
             const Vec3 reach =
                 disc.radius * (Vec3::Ones() - disc.normal.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();

@@ -87,8 +87,7 @@ struct FourSamples {
 }
 
 /** Makes samples of four points.
-    @return the lanes, as bits, of those that the light may shine on from their front, and shadows
-    be cast on */
+    @return as bits, the lanes of points that face the light and can be in shadow there */
 LIXEL_MULTIVERSION
 unsigned judge(const Judgement& judgement, const Points& points, std::size_t first,
                FourSamples& samples) {

@@ -32,8 +32,8 @@ WarpChoice lispsmWarp(const WarpContext& context, const LiSPSMOptions& options) 
 constexpr std::array Declared{
     option<&LiSPSMOptions::distanceFactor>(
         "distance_factor", above(0.0), "",
-        "distance of the perspective's apex, relative to the paper's n_opt, which makes the "
-        "perspective error alike near and far; less favours the near"),
+        "distance of the perspective's apex: 1 is the paper's n_opt, with the same perspective "
+        "error near and far; smaller favours the near"),
 };
 
 } // namespace

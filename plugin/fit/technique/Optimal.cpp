@@ -16,7 +16,7 @@ constexpr int LeastEvaluations = 8;
 constexpr int MostEvaluations = 4096;
 constexpr int MostSamples = 4096;
 
-/// Part of the evaluations that a frame takes which follows another.
+/// A frame that follows another takes one in this many of the evaluations.
 constexpr int FollowingPart = 4;
 
 /// Direction in which the view's rays run in the light image at the region's centre; zero where

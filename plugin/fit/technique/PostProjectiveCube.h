@@ -14,9 +14,9 @@ namespace Lixel {
 
         C ((n . L) I - L nᵀ),
 
-    with C the viewer's clip matrix, L the homogeneous light and n the face, which is that of a
-    plane optimal map (Chong and Gortler 2004) of the face. Kozlov draws whole faces; here each is
-    focused on the receivers that it serves, by the shared fit.
+    with C the viewer's clip matrix, L the homogeneous light and n the face's plane. It is row w of
+    the map that is plane optimal (Chong and Gortler 2004) for the face. Kozlov draws whole faces;
+    here the shared fit focuses each face on the receivers that it serves.
 
     @param problem one with a part that facesOfView made; any other gives the uniform map, as an
     orthographic viewer does

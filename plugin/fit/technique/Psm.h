@@ -10,8 +10,8 @@ namespace Lixel {
     mends them: a map drawn in the viewer's post-projective space.
 
     In that space what is near is large, and a directional light is a point. A light camera stands
-    there and looks along ω; its map's row w is, for a world point x, C the (virtual) viewer's clip
-    matrix and L the homogeneous light,
+    there and looks along ω. Let C be the (virtual) viewer's clip matrix and L the homogeneous
+    light. Then row w of the camera's map is, for a world point x,
 
         h(x) = ω . ((CL)_w (Cx)_xyz - (Cx)_w (CL)_xyz),
 

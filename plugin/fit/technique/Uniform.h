@@ -8,9 +8,9 @@ namespace Lixel {
 
 /** The uniform shadow map (Williams 1978): warp 0.
 
-    Focused: texels are equal rectangles on any plane across the light, the focus region's smallest
-    rectangle in as many parts as the map has texels. What a warped technique must not do worse
-    than.
+    Focused: the focus region's smallest rectangle, divided into as many parts as the map has
+    texels. On any plane across the light, texels are equal rectangles. A warped technique must not
+    do worse than this.
 
     Stable (the "stable light frustum" of Valient, ShaderX6 2008, which cascades on large landscapes
     use): the map does not depend on where receivers and casters are, so that shadows' edges stay as
@@ -18,8 +18,7 @@ namespace Lixel {
     sphere around all that is in view (around the slice, with cascades): the sphere has one size
     however the viewer turns, and its centre moves in whole texels of a grid that is fixed in the
     world. For a spot it is all of the cone. A view without end, which has no such sphere, gets the
-    focused map and the reason ViewWithoutEnd. Bodies of the view's own size, or a light that moves,
-    change the map of course.
+    focused map and the reason ViewWithoutEnd. A light that moves changes the map.
 */
 struct UniformOptions {
     /** Steady texels instead of small ones. The map covers all that is in view up to the shadow

@@ -18,8 +18,8 @@ namespace {
 /// 2 % of it.
 constexpr int SearchSteps = 11;
 
-/// Samples that the guard judges by. With 64 the chosen warp is that of a thousand within a few
-/// percent of the error.
+/// Samples that the guard judges by. The warp chosen with 64 has, within a few percent, the error
+/// of the warp chosen with a thousand.
 constexpr std::size_t Samples = 64;
 
 /** The warp between none and `warp` at which texels are expected to be smallest.
@@ -56,9 +56,10 @@ WarpChoice xpsmWarp(const WarpContext& context, const XpsmOptions& options, Rule
     const auto& [direction, sine, fade] = context.view;
     if (context.view.vanishes()) return {Vec2::Zero(), FitReason::LightAlongView};
 
-    // §3.2: at depth t in front of the viewer the denominator is affine in t, f0 + t f1; f1 / f0 =
-    // coef is lengthP = coef / cos γ. Depths stand for the scale of the scene, and the warp is
-    // about the region's centre instead of the viewer.
+    // §3.2: at depth t in front of the viewer the denominator is affine in t, f0 + t f1.
+    // Gusev's lengthP = coef / cos γ, with γ between the view direction and its image, makes
+    // f1 / f0 = coef. The depths give the scale of the scene, and the warp is about the region's
+    // centre instead of the viewer.
     const double farDepth = region.vsReceiverFar;
     const double nearDepth = std::max(region.vsReceiverNear, LeastNearRatio * farDepth);
     const double coef = options.strength / std::sqrt(nearDepth * farDepth);
