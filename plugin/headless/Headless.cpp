@@ -277,29 +277,32 @@ Profile profileFor(Caller caller) {
 
 namespace Lixel::Headless {
 
-bool enable(std::string& error, const Options& options) {
+std::string enable(const Options& options) {
     State& s = state();
     // One function of libX11 and one of libGL.
     for (const char* function : {"XOpenDisplay", "glXGetCurrentDisplay"}) {
         if (isFoundHere(function)) continue;
-        error = std::string("Headless rendering cannot be enabled, because ") + function +
-                " is found in another library first. Link the program itself to Lixel::Headless "
-                "(libLixelHeadless.so), before libX11 and libGL.";
-        return false;
+        return std::string("Headless rendering cannot be enabled, because ") + function +
+               " is found in another library first. Link the program itself to Lixel::Headless "
+               "(libLixelHeadless.so), before libX11 and libGL.";
     }
-    if (UsesEgl) return s.enabled = s.enabled || hasEglDevice(error);
+    std::string error;
+    if (UsesEgl) {
+        s.enabled = s.enabled || hasEglDevice(error);
+        return error;
+    }
     std::optional<OSMesa> mesa = s.mesa ? s.mesa : loadOSMesa(options, error);
-    if (!mesa) return false;
+    if (!mesa) return error;
     // Under Auto, Core is what most ask for; Compatibility is tried when somebody does.
     const Profile likely = options.profile == Profile::Auto ? Profile::Core : options.profile;
     if (!canServe(*mesa, likely, error)) {
         if (!s.mesa) dlclose(mesa->handle);
-        return false;
+        return error;
     }
     s.mesa = mesa;
     s.profile = options.profile;
     s.enabled = true;
-    return true;
+    return {};
 }
 
 bool isEnabled() {

@@ -14,8 +14,10 @@
         if (Lixel::Headless::isDisplayUsable()) {
             window["parentWindowHandle"] = ...; // e.g. glfwGetX11Window
         } else {
-            std::string error;
-            if (!Lixel::Headless::enable(error)) { std::cerr << error << '\n'; return 1; }
+            if (const std::string error = Lixel::Headless::enable(); !error.empty()) {
+                std::cerr << error << '\n';
+                return 1;
+            }
             window = Lixel::Headless::windowParameters();
         }
         Ogre::Root root(...);
@@ -72,9 +74,9 @@ struct Options {
     server if it is initialised nevertheless.
 
     Once on, calling it again only changes the profile; the library stays the one that was loaded.
-    @param error set to what is wrong and what to do about it, unless the result is true
-    @return whether headless rendering is on as asked. If not, nothing has changed. */
-[[nodiscard]] LIXEL_HEADLESS_EXPORT bool enable(std::string& error, const Options& options = {});
+    @return empty if headless rendering is on as asked. Else what is wrong and what to do about it,
+    and nothing has changed. */
+[[nodiscard]] LIXEL_HEADLESS_EXPORT std::string enable(const Options& options = {});
 
 /// Whether enable() has succeeded in this process.
 [[nodiscard]] LIXEL_HEADLESS_EXPORT bool isEnabled();

@@ -48,8 +48,8 @@ std::string programFolder() {
 }
 
 Stage::Stage(const StageOptions& options) {
-    std::string error;
-    if (options.headless && !Headless::enable(error)) throw std::runtime_error(error);
+    const std::string error = options.headless ? Headless::enable() : "";
+    if (!error.empty()) throw std::runtime_error(error);
 
     try {
         open(options);
@@ -70,12 +70,24 @@ void Stage::open(const StageOptions& options) {
     openWindow(options);
 
     addResources(programFolder() + "/resources.cfg");
+    // Before scripts are parsed: shadows need OGRE's own programs from RGN_INTERNAL.
     mSceneManager = options.sceneManagerType.empty()
                         ? mRoot->createSceneManager()
                         : mRoot->createSceneManager(options.sceneManagerType);
-    // Before scripts are parsed: shadows need OGRE's own programs from RGN_INTERNAL.
     Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
+    furnish();
+}
 
+void Stage::clear() {
+    const Ogre::String type = mSceneManager->getTypeName();
+    mWindow->removeAllViewports();
+    mRoot->destroySceneManager(mSceneManager);
+    Ogre::MeshManager::getSingleton().removeUnreferencedResources();
+    mSceneManager = mRoot->createSceneManager(type);
+    furnish();
+}
+
+void Stage::furnish() {
     mCamera = mSceneManager->createCamera("Viewer");
     mSceneManager->getRootSceneNode()->createChildSceneNode()->attachObject(mCamera);
     mViewport = mWindow->addViewport(mCamera);

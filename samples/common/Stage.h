@@ -51,6 +51,10 @@ public:
     void setShadowSetup(const Ogre::ShadowCameraSetupPtr& setup);
     void setShadowMapSize(int texels);
 
+    /// Begins anew, with a scene manager of the same type. Its scene, camera, viewport and light go,
+    /// and meshes that nothing else uses.
+    void clear();
+
     /// Draws one frame; where there is a window, shows it.
     void drawFrame();
 
@@ -68,6 +72,8 @@ public:
 
 private:
     void open(const StageOptions& options);
+    /// Gives a new scene manager camera, viewport, light and shadows.
+    void furnish();
     void openWindow(const StageOptions& options);
 
     GLFWwindow* mGlfwWindow = nullptr;

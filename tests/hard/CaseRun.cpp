@@ -118,20 +118,27 @@ CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
     return judgeFrame(scene, probe.maps, use);
 }
 
-CaseResult runCaseApart(Samples::Stage& stage, const HardCase& hardCase,
-                        const Samples::NamedSetup& setup) {
+std::vector<CaseResult> runCaseApart(Samples::Stage& stage, const HardCase& hardCase,
+                                     const std::vector<const Samples::NamedSetup*>& setups) {
     Message message{};
-    const auto work = [&] {
-        const CaseResult result = runCase(stage, hardCase, setup);
-        message.ok = result.ok;
-        message.losses = result.losses;
-        result.text.copy(message.text.data(), message.text.size() - 1);
-    };
-    const std::string failure =
-        runApart(TimeLimit, work, std::as_writable_bytes(std::span(&message, 1)));
-    CaseResult result{message.ok, message.text.data(), message.losses};
-    if (!failure.empty()) result.text = failure;
-    return result;
+    std::vector<CaseResult> results;
+    // A child goes on to the next setup, until one ends it.
+    while (results.size() < setups.size()) {
+        const std::size_t first = results.size();
+        const auto work = [&](std::size_t step) {
+            if (step > 0) stage.clear();
+            const CaseResult result = runCase(stage, hardCase, *setups[first + step]);
+            message = Message{result.ok, {}, result.losses};
+            result.text.copy(message.text.data(), message.text.size() - 1);
+        };
+        const std::string failure =
+            runApart(TimeLimit, setups.size() - first, work,
+                     std::as_writable_bytes(std::span(&message, 1)), [&](std::size_t) {
+                         results.push_back({message.ok, message.text.data(), message.losses});
+                     });
+        if (!failure.empty()) results.push_back({false, failure, {}});
+    }
+    return results;
 }
 
 } // namespace Lixel::Tests

@@ -38,12 +38,14 @@ void drawCase(HardScene& scene, const HardCase& hardCase, const std::function<vo
 CaseResult runCase(Samples::Stage& stage, const HardCase& hardCase,
                    const Samples::NamedSetup& setup);
 
-/** The same in a child process, which leaves the stage as it is; says "abort" where the child does,
-    "hangs" where it takes longer than a time limit, and "throws: why" for an exception.
+/** The same for several setups, in child processes, which leave the stage as it is; says "abort" where
+    the child does, "hangs" where it takes longer than a time limit, and "throws: why" for an
+    exception.
 
     The stage must not have drawn yet, and no thread but this one may use it.
+    @return each setup's
 */
-CaseResult runCaseApart(Samples::Stage& stage, const HardCase& hardCase,
-                        const Samples::NamedSetup& setup);
+std::vector<CaseResult> runCaseApart(Samples::Stage& stage, const HardCase& hardCase,
+                                     const std::vector<const Samples::NamedSetup*>& setups);
 
 } // namespace Lixel::Tests

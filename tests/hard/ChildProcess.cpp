@@ -35,21 +35,25 @@ bool receiveAll(int input, std::span<std::byte> bytes) {
     return true;
 }
 
-[[noreturn]] void runChild(int output, unsigned seconds, const std::function<void()>& work,
+[[noreturn]] void runChild(int output, unsigned seconds, std::size_t steps,
+                           const std::function<void(std::size_t)>& work,
                            std::span<const std::byte> message) {
-    alarm(seconds);
     // What OGRE has to say about an assertion is said by "abort".
     dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
-    Complaint complaint{};
-    try {
-        work();
-    } catch (const std::exception& exception) {
-        const std::string text = std::string("throws: ") + exception.what();
-        text.copy(complaint.data(), complaint.size() - 1);
+    for (std::size_t step = 0; step < steps; ++step) {
+        alarm(seconds);
+        Complaint complaint{};
+        try {
+            work(step);
+        } catch (const std::exception& exception) {
+            const std::string text = std::string("throws: ") + exception.what();
+            text.copy(complaint.data(), complaint.size() - 1);
+        }
+        const bool sent =
+            sendAll(output, std::as_bytes(std::span(complaint))) && sendAll(output, message);
+        if (!sent || complaint[0] != '\0') _exit(1);
     }
-    const bool sent =
-        sendAll(output, std::as_bytes(std::span(complaint))) && sendAll(output, message);
-    _exit(sent ? 0 : 1);
+    _exit(0);
 }
 
 std::string endOf(pid_t child) {
@@ -62,24 +66,36 @@ std::string endOf(pid_t child) {
 
 } // namespace
 
-std::string runApart(unsigned seconds, const std::function<void()>& work,
-                     std::span<std::byte> message) {
+std::string runApart(unsigned seconds, std::size_t steps,
+                     const std::function<void(std::size_t)>& work, std::span<std::byte> message,
+                     const std::function<void(std::size_t)>& done) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe to a child process");
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("no child process");
-    if (child == 0) runChild(ends[1], seconds, work, message);
+    if (child == 0) runChild(ends[1], seconds, steps, work, message);
     close(ends[1]);
     Complaint complaint{};
     std::vector<std::byte> received(message.size());
-    const bool complete = receiveAll(ends[0], std::as_writable_bytes(std::span(complaint))) &&
-                          receiveAll(ends[0], received);
+    std::size_t step = 0;
+    while (step < steps && complaint[0] == '\0' &&
+           receiveAll(ends[0], std::as_writable_bytes(std::span(complaint))) &&
+           receiveAll(ends[0], received)) {
+        if (complaint[0] != '\0') break;
+        std::copy(received.begin(), received.end(), message.begin());
+        done(step++);
+    }
     close(ends[0]);
     const std::string end = endOf(child);
-    if (!complete) return end;
-    std::copy(received.begin(), received.end(), message.begin());
-    return complaint.data();
+    if (step == steps) return {};
+    return complaint[0] != '\0' ? complaint.data() : end;
+}
+
+std::string runApart(unsigned seconds, const std::function<void()>& work,
+                     std::span<std::byte> message) {
+    return runApart(
+        seconds, 1, [&](std::size_t) { work(); }, message, [](std::size_t) {});
 }
 
 } // namespace Lixel::Tests

@@ -88,9 +88,12 @@ int run(const Options& options) {
         // Setups that agree share a line.
         std::vector<std::pair<std::string, std::string>> lines;
         std::size_t shadowed = 0;
-        for (const Samples::NamedSetup* const setup : setups) {
-            const CaseResult result =
-                one ? runCase(stage, *hardCase, *setup) : runCaseApart(stage, *hardCase, *setup);
+        const std::vector<CaseResult> results =
+            one ? std::vector{runCase(stage, *hardCase, *setups.front())}
+                : runCaseApart(stage, *hardCase, setups);
+        for (std::size_t i = 0; i < setups.size(); ++i) {
+            const Samples::NamedSetup* const setup = setups[i];
+            const CaseResult& result = results[i];
             all.push_back(toJson(*hardCase, *setup, result));
             shadowed = std::max(shadowed, result.losses.shadowed);
             if (isLixels(*setup) && !isExpected(*hardCase, result)) ++failures;

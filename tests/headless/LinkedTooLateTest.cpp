@@ -8,8 +8,7 @@
 namespace {
 
 TEST(LinkedTooLate, IsAClearError) {
-    std::string error;
-    EXPECT_FALSE(Lixel::Headless::enable(error));
+    const std::string error = Lixel::Headless::enable();
     EXPECT_NE(error.find("XOpenDisplay is found in another library"), std::string::npos) << error;
     EXPECT_NE(error.find("before libX11"), std::string::npos) << error;
     EXPECT_FALSE(Lixel::Headless::isEnabled());

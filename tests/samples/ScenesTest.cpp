@@ -35,8 +35,8 @@ class OgreTest : public ::testing::Test {
 protected:
     OgreTest() {
         mLog.createLog("", true, false, true);
-        std::string error;
-        if (!Headless::enable(error)) throw std::runtime_error(error);
+        const std::string error = Headless::enable();
+        if (!error.empty()) throw std::runtime_error(error);
         mRoot = std::make_unique<Ogre::Root>("", "", "");
         mRoot->loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus");
         mRoot->setRenderSystem(mRoot->getAvailableRenderers().front());

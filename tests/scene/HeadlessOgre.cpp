@@ -47,8 +47,8 @@ void createProgram(const std::string& name, Ogre::GpuProgramType type, const cha
 
 HeadlessOgre::HeadlessOgre() {
     unsetenv("DISPLAY");
-    std::string error;
-    if (!Headless::enable(error)) throw std::runtime_error(error);
+    const std::string error = Headless::enable();
+    if (!error.empty()) throw std::runtime_error(error);
     // Made before Root, which would else write Ogre.log.
     mLogs = std::make_unique<Ogre::LogManager>();
     mLogs->createLog("", true, false, true);

@@ -6,7 +6,8 @@
 #include <iostream>
 
 int main(int argc, char** argv) {
-    if (std::string why; !Lixel::Headless::enable(why)) return std::cerr << why << '\n', 1;
+    if (const std::string why = Lixel::Headless::enable(); !why.empty())
+        return std::cerr << why << '\n', 1;
     Ogre::Root root("plugins.cfg", "", "application.log");
     root.setRenderSystem(root.getAvailableRenderers().at(0));
     root.initialise(false);
