@@ -4,12 +4,12 @@
 #include "material/OwnShadowMaterials.h"
 #include "material/ProgramCheck.h"
 #include "material/QueuedPasses.h"
+#include "scene/Log.h"
 
 #include <OgreEntity.h>
 #include <OgreGpuProgram.h>
 #include <OgreInstanceBatch.h>
 #include <OgreLight.h>
-#include <OgreLogManager.h>
 #include <OgreMaterial.h>
 #include <OgreMaterialManager.h>
 #include <OgrePass.h>
@@ -282,13 +282,13 @@ void MaterialCheck::checkReceiver(const Ogre::Pass& pass) {
 }
 
 void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights) {
-    if (!pass.getParent()->getParent()->getReceiveShadows() || !hasMapUnits(pass)) return;
+    if (!pass.getParent()->getParent()->getReceiveShadows()) return;
     for (std::size_t place = 0; place < lights.size(); ++place) {
         const auto found = mMaps.find(lights[place]);
         if (found == mMaps.end() || !mCounted.emplace(&pass, found->first).second) continue;
         const LightMaps& maps = found->second;
         const std::size_t read = mapsRead(pass, place);
-        if (read == 0 || read >= maps.used) continue;
+        if (read == 0 || read >= maps.used || !hasMapUnits(pass)) continue;
         say("material " + quoted(materialOf(pass)) + " reads " + std::to_string(read) +
             (read == 1 ? " shadow map" : " shadow maps") + " of light " +
             quoted(found->first->getName()) + ", which has " + std::to_string(maps.all) +
@@ -340,8 +340,7 @@ void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const
 }
 
 void MaterialCheck::say(const std::string& message) {
-    if (mSaid.insert(message).second)
-        Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
+    if (mSaid.insert(message).second) logWarning(message);
 }
 
 } // namespace Lixel

@@ -3,12 +3,12 @@
 #include "material/MaterialCheck.h"
 #include "material/ProgramCheck.h"
 #include "material/QueuedPasses.h"
+#include "scene/Log.h"
 #include "scene/OgreVersions.h"
 #include "setup/FittedShadowCameraSetup.h"
 #include "setup/ObservedShadowCameraSetup.h"
 
 #include <OgreLight.h>
-#include <OgreLogManager.h>
 #include <OgreSceneManager.h>
 #include <OgreViewport.h>
 
@@ -24,10 +24,6 @@ bool hasLixelsSetup(const Ogre::Light& light, const Ogre::SceneManager& manager)
         own ? own.get() : manager.getShadowCameraSetup().get();
     return dynamic_cast<const FittedShadowCameraSetup*>(setup) != nullptr ||
            dynamic_cast<const ObservedShadowCameraSetup*>(setup) != nullptr;
-}
-
-void say(const std::string& message) {
-    Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
 }
 
 } // namespace
@@ -53,13 +49,15 @@ void NoMapsCheck::check() {
     const std::string name = "'" + mManager.getName() + "'";
     if (!hasTextures) {
         mSaidNoTextures = true;
-        say("scene manager " + name +
+        logWarning(
+            "scene manager " + name +
             " has no shadow textures, so no light casts shadows there: "
             "SceneManager::setShadowTextureSettings(1024, 1, PF_FLOAT32_R), with one for each "
             "light");
     } else if (std::none_of(lights.begin(), lights.end(), isTold)) {
         mSaidNoSetup = true;
-        say("materials of Lixel are drawn in scene manager " + name +
+        logWarning(
+            "materials of Lixel are drawn in scene manager " + name +
             ", but no light that casts shadows has a setup of Lixel's, so nothing there is in "
             "shadow: give Light::setCustomShadowCameraSetup or "
             "SceneManager::setShadowCameraSetup one, such as XPSMShadowCameraSetup::create(), or "

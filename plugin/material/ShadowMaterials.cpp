@@ -1,6 +1,7 @@
 #include "material/ShadowMaterials.h"
 
 #include "material/ProgramCheck.h"
+#include "scene/NameList.h"
 
 #include <OgreException.h>
 #include <OgreMaterial.h>
@@ -9,17 +10,19 @@
 #include <OgreSceneManager.h>
 #include <OgreTechnique.h>
 
+#include <vector>
+
 namespace Lixel {
 namespace {
 
 /// Names of the materials that begin so, for a message.
 std::string materialsLike(const std::string& prefix) {
-    std::string names;
+    std::vector<std::string> names;
     for (const auto& [handle, material] :
          Ogre::MaterialManager::getSingleton().getResourceIterator())
         if (Ogre::StringUtil::startsWith(material->getName(), prefix, false))
-            names += (names.empty() ? "" : ", ") + material->getName();
-    return names;
+            names.push_back(material->getName());
+    return joinNames(names);
 }
 
 Ogre::MaterialPtr find(const char* argument, const Ogre::String& name, const std::string& prefix) {

@@ -5,7 +5,7 @@
 #include "material/ReceiverParameters.h"
 #include "material/SharedParameters.h"
 #include "material/SurfaceReceivers.h"
-#include "scene/OgreVersions.h"
+#include "scene/PerScene.h"
 
 #include <OgreCamera.h>
 #include <OgreHardwarePixelBuffer.h>
@@ -37,18 +37,13 @@ bool hasReceiverPasses(const Ogre::SceneManager& manager) {
 /// One scene manager's receivers: unshadowed until a map is fitted, and modulative ones served.
 class ShadowParameters::SceneListener : public SceneManagerListener {
 public:
-    SceneListener(ShadowParameters& owner, Ogre::SceneManager& manager)
-        : mOwner(owner),
-          mManager(manager),
-          mSurfaceReceivers(manager),
-          mCheck(manager),
-          mNoMapsCheck(manager) {
-        addSceneManagerListener(mManager, *this);
-    }
+    explicit SceneListener(Ogre::SceneManager& manager)
+        : mManager(manager), mSurfaceReceivers(manager), mCheck(manager), mNoMapsCheck(manager) {}
     ~SceneListener() override {
         if (mListensToObjects) mManager.removeRenderObjectListener(&mSurfaceReceivers);
-        removeSceneManagerListener(mManager, *this);
     }
+    SceneListener(const SceneListener&) = delete;
+    SceneListener& operator=(const SceneListener&) = delete;
 
     void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
         if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
@@ -101,10 +96,6 @@ public:
             found != mMaps.end() ? found->second : litParameters(), light->getAs4DVector(true));
     }
 
-    void sceneManagerDestroyed(Ogre::SceneManager* source) override {
-        mOwner.mListeners.erase(source); // destroys this
-    }
-
 private:
     /// Where the map's slice ends, beside those of the maps before it.
     void bindSplit(const ShadowMap& map) {
@@ -126,7 +117,6 @@ private:
             mManager.removeRenderObjectListener(&mSurfaceReceivers);
     }
 
-    ShadowParameters& mOwner;
     Ogre::SceneManager& mManager;
     std::map<const Ogre::Light*, ReceiverParameters> mMaps;
     std::map<const Ogre::Light*, Ogre::Vector4> mSplits;
@@ -138,21 +128,23 @@ private:
     bool mListensToObjects = false;
 };
 
-ShadowParameters::ShadowParameters() : mShared(std::make_unique<SharedParameters>()) {
+class ShadowParameters::Scenes : public PerScene<SceneListener> {};
+
+ShadowParameters::ShadowParameters()
+    : mShared(std::make_unique<SharedParameters>()), mScenes(std::make_unique<Scenes>()) {
     addShadowMapObserver(*this);
 }
 
 ShadowParameters::~ShadowParameters() = default;
 
 ShadowParameters::SceneListener& ShadowParameters::listenerOf(Ogre::SceneManager& manager) {
-    std::unique_ptr<SceneListener>& listener = mListeners[&manager];
-    if (!listener) {
-        listener = std::make_unique<SceneListener>(*this, manager);
-        // The listener is too late for this frame's beginning.
-        listener->letAllBeLit();
+    const auto [listener, isNew] = mScenes->of(manager, manager);
+    // Too late for this frame's beginning.
+    if (isNew) {
+        listener.letAllBeLit();
         SharedParameters::setFog(manager);
     }
-    return *listener;
+    return listener;
 }
 
 void ShadowParameters::serve(Ogre::SceneManager& manager) {

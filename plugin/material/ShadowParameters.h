@@ -2,7 +2,6 @@
 
 #include "setup/ShadowMapObserver.h"
 
-#include <map>
 #include <memory>
 
 namespace Ogre {
@@ -63,9 +62,10 @@ public:
 
 private:
     class SceneListener;
+    class Scenes;
     SceneListener& listenerOf(Ogre::SceneManager& manager);
     std::unique_ptr<SharedParameters> mShared;
-    std::map<Ogre::SceneManager*, std::unique_ptr<SceneListener>> mListeners;
+    std::unique_ptr<Scenes> mScenes;
 };
 
 /// @}

@@ -1,10 +1,10 @@
 #include "material/SharedParameters.h"
 
 #include "material/OwnShadowMaterials.h"
+#include "scene/Log.h"
 
 #include <OgreGpuProgramManager.h>
 #include <OgreGpuProgramParams.h>
-#include <OgreLogManager.h>
 #include <OgreSceneManager.h>
 #include <OgreTextureManager.h>
 
@@ -66,7 +66,7 @@ void SharedParameters::resourceGroupScriptingEnded(const Ogre::String&) {
     // when it is first wanted: in the midst of a pass, whose first texture it takes the place of.
     Ogre::TextureManager::getSingleton()._getWarningTexture();
     for (const std::string& line : dropUnusableShadowMaterials())
-        Ogre::LogManager::getSingleton().logWarning("Lixel: " + line);
+        logWarning(line);
 }
 
 const char* SharedParameters::setOf(const std::string& constant) {

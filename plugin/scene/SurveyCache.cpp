@@ -1,6 +1,6 @@
 #include "scene/SurveyCache.h"
 
-#include "scene/OgreVersions.h"
+#include "scene/PerScene.h"
 
 #include <OgreCamera.h>
 #include <OgreRoot.h>
@@ -8,8 +8,6 @@
 #include <OgreViewport.h>
 
 #include <chrono>
-#include <map>
-#include <memory>
 
 namespace Lixel {
 namespace {
@@ -38,7 +36,6 @@ public:
 
     void end() { mCamera = nullptr; }
     void shadowTexturesUpdated(std::size_t) override { end(); }
-    void sceneManagerDestroyed(Ogre::SceneManager* source) override;
 
 private:
     bool reaches(double distance) const {
@@ -53,36 +50,23 @@ private:
     double mDistance = 0.0;
 };
 
-std::map<Ogre::SceneManager*, std::unique_ptr<CachedSurvey>>& cache() {
-    static std::map<Ogre::SceneManager*, std::unique_ptr<CachedSurvey>> surveys;
+PerScene<CachedSurvey>& cache() {
+    static PerScene<CachedSurvey> surveys;
     return surveys;
-}
-
-void CachedSurvey::sceneManagerDestroyed(Ogre::SceneManager* source) {
-    cache().erase(source); // destroys this
 }
 
 } // namespace
 
 const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
                              double shadowDistance) {
-    Ogre::SceneManager* const manager = viewer.getSceneManager();
-    std::unique_ptr<CachedSurvey>& entry = cache()[manager];
-    if (!entry) {
-        entry = std::make_unique<CachedSurvey>();
-        addSceneManagerListener(*manager, *entry);
-    }
-    return entry->get(viewer, viewport, shadowDistance);
+    return cache().of(*viewer.getSceneManager()).listener.get(viewer, viewport, shadowDistance);
 }
 
 void endSurvey(Ogre::SceneManager& sceneManager) {
-    const auto found = cache().find(&sceneManager);
-    if (found != cache().end()) found->second->end();
+    if (CachedSurvey* const survey = cache().find(sceneManager)) survey->end();
 }
 
 void dropSurveys() {
-    for (const auto& [manager, survey] : cache())
-        removeSceneManagerListener(*manager, *survey);
     cache().clear();
 }
 

@@ -1,5 +1,6 @@
 #include "setup/FittedShadowCameraSetup.h"
 
+#include "scene/Log.h"
 #include "scene/OgreMath.h"
 #include "scene/OgreVersions.h"
 #include "scene/SurveyCache.h"
@@ -99,18 +100,19 @@ void FittedShadowCameraSetup::checkOptions(std::span<const Option> declared, con
         OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, wrong, "Lixel's setOptions");
 }
 
-void FittedShadowCameraSetup::setFilterRadius(Ogre::Real texels) {
+void FittedShadowCameraSetup::setCommon(double CommonOptions::*member, Ogre::Real value) {
     CommonOptions options = mCommon;
-    options.filterRadius = static_cast<double>(texels);
+    options.*member = static_cast<double>(value);
     checkOptions(DeclaredCommon, &options);
     mCommon = options;
 }
 
+void FittedShadowCameraSetup::setFilterRadius(Ogre::Real texels) {
+    setCommon(&CommonOptions::filterRadius, texels);
+}
+
 void FittedShadowCameraSetup::setDepthBias(Ogre::Real worldUnits) {
-    CommonOptions options = mCommon;
-    options.depthBias = static_cast<double>(worldUnits);
-    checkOptions(DeclaredCommon, &options);
-    mCommon = options;
+    setCommon(&CommonOptions::depthBias, worldUnits);
 }
 
 void FittedShadowCameraSetup::setVisiblePoints(const std::vector<VisiblePoint>& wsPoints) {
@@ -127,6 +129,18 @@ void FittedShadowCameraSetup::setVisiblePoints(const std::vector<VisiblePoint>& 
         mWsVisiblePoints.push_back(wsPoints[i * wsPoints.size() / kept]);
     for (VisiblePoint& point : mWsVisiblePoints)
         point.wsNormal.stableNormalize();
+}
+
+void FittedShadowCameraSetup::setVisiblePoints(const std::vector<Ogre::Vector3>& wsPositions,
+                                               const std::vector<Ogre::Vector3>& wsNormals) {
+    if (wsPositions.size() != wsNormals.size())
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                    "wsNormals: there must be one for each of wsPositions",
+                    "FittedShadowCameraSetup::setVisiblePoints");
+    std::vector<VisiblePoint> points;
+    for (std::size_t i = 0; i < wsPositions.size(); ++i)
+        points.push_back({toDouble(wsPositions[i]), toDouble(wsNormals[i])});
+    setVisiblePoints(points);
 }
 
 LightPartition FittedShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,

@@ -119,6 +119,10 @@ public:
         until others are set; none, the default, for their own. Of more than 4096, as many are kept.
         @throws Ogre::InvalidParametersException unless all are finite, and normals not zero. */
     void setVisiblePoints(const std::vector<VisiblePoint>& wsPoints);
+    /// The same in OGRE's vectors, a normal for each position.
+    /// @throws Ogre::InvalidParametersException as above, and unless there are as many of both.
+    void setVisiblePoints(const std::vector<Ogre::Vector3>& wsPositions,
+                          const std::vector<Ogre::Vector3>& wsNormals);
     const std::vector<VisiblePoint>& getVisiblePoints() const { return mWsVisiblePoints; }
 
     void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
@@ -163,6 +167,8 @@ private:
     class OptionCommand;
     struct Request;
 
+    /// Sets one of the common options, where its value is valid.
+    void setCommon(double CommonOptions::*member, Ogre::Real value);
     /// Names its options to OGRE's StringInterface.
     void declareParameters();
     struct OwnedOption;

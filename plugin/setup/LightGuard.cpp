@@ -1,17 +1,17 @@
 #include "setup/LightGuard.h"
 
 #include "scene/Identity.h"
+#include "scene/Log.h"
 #include "scene/OgreVersions.h"
+#include "scene/PerScene.h"
 #include "setup/News.h"
 
 #include <OgreLight.h>
-#include <OgreLogManager.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
 
 #include <cmath>
 #include <map>
-#include <memory>
 #include <string>
 
 namespace Lixel {
@@ -59,7 +59,7 @@ struct Guarded {
     unsigned long seen = 0;
 };
 
-class Guard : public Ogre::SceneManager::Listener {
+class Guard : public SceneManagerListener {
 public:
     void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
         // Shadow cameras draw with the lights as their viewer found them.
@@ -77,26 +77,24 @@ public:
         std::erase_if(mGuarded, [this](const auto& entry) { return entry.second.seen != mRound; });
     }
 
-    void sceneManagerDestroyed(Ogre::SceneManager* source) override;
-
     /// Before it goes.
     void leave(Ogre::SceneManager& sceneManager) {
-        sceneManager.removeListener(this);
         forLights(sceneManager, [this](Ogre::Light& light) {
             const auto found = mGuarded.find(identityOf(light));
             if (found == mGuarded.end() || !found->second.hidden) return;
             const Trouble trouble = troubleOf(light);
             if (trouble == Trouble::None) return show(light);
-            log(light,
-                std::string("still ") + toString(trouble) +
-                    ": it stays without visibility flags, and nobody will put them on again");
+            log(light, toString(trouble),
+                " still: it stays without visibility flags, and nobody will put them on again");
         });
     }
 
 private:
-    static void log(const Ogre::Light& light, const std::string& what) {
-        Ogre::LogManager::getSingleton().logWarning("Lixel: light '" + light.getName() + "' " +
-                                                    what);
+    static void log(const Ogre::Light& light, const char* what, const char* consequence) {
+        std::string message = "light '" + light.getName() + "' ";
+        message += what;
+        message += consequence;
+        logWarning(message);
     }
 
     void hide(Ogre::Light& light, Trouble trouble) {
@@ -112,8 +110,8 @@ private:
         guarded.hidden = true;
         if (guarded.news.isNew(static_cast<unsigned>(trouble),
                                Ogre::Root::getSingleton().getNextFrameNumber()))
-            log(light, std::string(toString(trouble)) +
-                           "; it neither shines nor casts shadows until that is mended");
+            log(light, toString(trouble),
+                "; it neither shines nor casts shadows until that is mended");
     }
 
     void show(Ogre::Light& light) {
@@ -131,27 +129,20 @@ private:
     unsigned long mRound = 0;
 };
 
-std::map<Ogre::SceneManager*, std::unique_ptr<Guard>>& guards() {
-    static std::map<Ogre::SceneManager*, std::unique_ptr<Guard>> map;
-    return map;
-}
-
-void Guard::sceneManagerDestroyed(Ogre::SceneManager* source) {
-    guards().erase(source); // destroys this
+PerScene<Guard>& guards() {
+    static PerScene<Guard> all;
+    return all;
 }
 
 } // namespace
 
 void guardLights(Ogre::SceneManager& sceneManager) {
-    std::unique_ptr<Guard>& guard = guards()[&sceneManager];
-    if (guard) return;
-    guard = std::make_unique<Guard>();
-    sceneManager.addListener(guard.get());
+    guards().of(sceneManager);
 }
 
 void unguardLights() {
-    for (const auto& [sceneManager, guard] : guards())
-        guard->leave(*sceneManager);
+    guards().forEach(
+        [](Ogre::SceneManager& sceneManager, Guard& guard) { guard.leave(sceneManager); });
     guards().clear();
 }
 

@@ -1,9 +1,9 @@
 #include "setup/LightNews.h"
 
+#include "scene/Log.h"
 #include "setup/InvalidInput.h"
 
 #include <OgreLight.h>
-#include <OgreLogManager.h>
 #include <OgreRoot.h>
 
 namespace Lixel {
@@ -14,10 +14,6 @@ unsigned long thisFrame() {
 }
 
 } // namespace
-
-void logWarning(const std::string& message) {
-    Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
-}
 
 bool LightNews::isNew(Trouble trouble) {
     return mNews.isNew(trouble, thisFrame());

@@ -47,6 +47,4 @@ private:
     unsigned long mLastUse = 0;
 };
 
-void logWarning(const std::string& message);
-
 } // namespace Lixel

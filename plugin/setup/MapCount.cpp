@@ -1,6 +1,7 @@
 #include "setup/MapCount.h"
 
 #include "fit/parts/LightPartition.h"
+#include "scene/Log.h"
 #include "scene/OgreVersions.h"
 #include "setup/LightNews.h"
 

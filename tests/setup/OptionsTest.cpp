@@ -71,6 +71,14 @@ TEST(Options, VisiblePoints) {
         EXPECT_NE(refusal([&] { setup.setVisiblePoints({wrong}); }).find("wsPoints"),
                   std::string::npos);
     EXPECT_EQ(setup.getVisiblePoints().size(), 1U);
+
+    const std::vector<Ogre::Vector3> positions{{1, 2, 3}, {4, 5, 6}};
+    setup.setVisiblePoints(positions, {{0, 5, 0}, {2, 0, 0}});
+    ASSERT_EQ(setup.getVisiblePoints().size(), 2U);
+    EXPECT_EQ(setup.getVisiblePoints()[1].ws, Vec3(4.0, 5.0, 6.0));
+    EXPECT_EQ(setup.getVisiblePoints()[1].wsNormal, Vec3::UnitX());
+    EXPECT_NE(refusal([&] { setup.setVisiblePoints(positions, {}); }).find("wsNormals"),
+              std::string::npos);
 }
 
 /// A value that is none of an option's.
@@ -144,7 +152,7 @@ TEST_P(EveryKind, TakesAllOfItsOptionsAsText) {
     EXPECT_NE(said.find("'noSuchOption' of " + std::string(GetParam().name)), std::string::npos);
     EXPECT_NE(said.find("filter_radius"), std::string::npos) << said;
     EXPECT_EQ(setup->getParameter("noSuchOption"), "");
-    // As whoever knows OGRE's class alone sets them.
+    // Through OGRE's own class.
     Ogre::StringInterface& plain = *setup;
     EXPECT_TRUE(plain.setParameter("filter_radius", "3"));
     EXPECT_EQ(plain.getParameter("filter_radius"), "3");
