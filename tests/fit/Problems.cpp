@@ -411,6 +411,13 @@ Vec2 texelOf(const Mat4& clipFromWorld, const Scene& scene, const Vec3& ws) {
     return (clip.head<2>() / clip.w() + Vec2::Ones()).cwiseProduct(size) / 2.0;
 }
 
+double servedMargin(const ShadowFit& fit, const Vec3& ws) {
+    double margin = Infinity;
+    for (std::size_t i = 0; i < fit.servedCount; ++i)
+        margin = std::min(margin, fit.wsServed[i].dot(ws.homogeneous()));
+    return margin;
+}
+
 Mat4 roundedToFloat(const Mat4& m) {
     return m.cast<float>().cast<double>();
 }

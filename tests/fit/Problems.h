@@ -144,6 +144,10 @@ Vec2 derivative(const Mat4& clipFromWorld, const Vec2& size, const Vec3& x, cons
 /// Texel coordinates of a world point, w > 0 being assumed.
 Vec2 texelOf(const Mat4& clipFromWorld, const Scene& scene, const Vec3& ws);
 
+/// How far inside of what a map serves a point is: the least of its half spaces' values, infinite
+/// for a map that serves everything.
+double servedMargin(const ShadowFit& fit, const Vec3& ws);
+
 /// The matrix that a graphics card gets.
 Mat4 roundedToFloat(const Mat4& m);
 

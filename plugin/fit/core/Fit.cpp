@@ -56,8 +56,7 @@ WarpChoice choose(const WarpContext& context, const WarpRule& rule, FitState& st
 }
 
 /// Places the map with the longest part of the chosen warp at which rounding does not show.
-Placement placeWarp(const WarpContext& context, const WarpChoice& choice, const RegionScale& scale,
-                    FitState& state) {
+Placement placeWarp(const WarpContext& context, const WarpChoice& choice, FitState& state) {
     const FocusRegion& region = context.region;
     Placement result{.liWarp = choice.liWarp, .affine = {}, .reason = choice.reason};
     if (pullIntoSafeSet(region.liHull, region.liCentre, context.thickness, result.liWarp) < 1.0)
@@ -65,8 +64,8 @@ Placement placeWarp(const WarpContext& context, const WarpChoice& choice, const 
     const auto place = [&](const Vec2& warp) {
         Polygon2& warped = state.placement.warped;
         result.leastDenominator = warpPolygon(region.liHull, region.liCentre, warp, warped);
-        result.affine = placeRegion(context.problem, context.image, warped, warp, scale.liReach,
-                                    state.memory.wsMapAxis);
+        result.affine = placeRegion(context.problem, context.image, warped, warp,
+                                    context.scale.liReach, state.memory.wsMapAxis);
         return result.affine.rounding <= GreatestRounding;
     };
     if (place(result.liWarp)) return result;
@@ -234,10 +233,11 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
 
     const WarpContext context = warpContext(problem, image, region);
     const WarpChoice choice = choose(context, rule, state);
-    const RegionScale scale = scaleOf(image, region);
-    const Placement placement = choice.homography ? placeGiven(context, choice, state)
-                                                  : placeWarp(context, choice, scale, state);
+    const Placement placement =
+        choice.homography ? placeGiven(context, choice, state) : placeWarp(context, choice, state);
     remember(placement, state.memory);
+    // A map that is given whole has cut the region.
+    const RegionScale scale = placement.given ? scaleOf(image, region) : context.scale;
     const DepthRow depth = depthOf(context, scale, placement.leastDenominator);
     return assemble(context, placement, depth, state.placement);
 }

@@ -36,7 +36,7 @@ struct FitMemory {
 /// Room for a rule's work. Nobody reads it after the rule.
 struct RuleScratch {
     ClipScratch clip;
-    std::vector<Vec3> wsPoints;
+    std::vector<Vec3> vsPoints;
     std::vector<Vec3> directions;
     /// The focus region's hull with few vertices, for evaluating many warps.
     Polygon2 simpleHull;

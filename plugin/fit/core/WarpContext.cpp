@@ -1,7 +1,6 @@
 #include "fit/core/WarpContext.h"
 
 #include "fit/core/MapPlacement.h"
-#include "fit/core/Warp.h"
 #include "fit/geometry/Smoothstep.h"
 
 #include <Eigen/LU>
@@ -39,11 +38,6 @@ double fadeBySine(double sine, double complete) {
     return smoothstep(sine / complete);
 }
 
-Vec2 WarpContext::longestSafe(const Vec2& direction) const {
-    const WarpExtent extent = warpExtent(region.liHull, region.liCentre, direction, thickness);
-    return (1.0 - WarpSafety) / (extent.least + WarpSafety * extent.greatest) * direction;
-}
-
 RegionScale scaleOf(const LightImage& image, const FocusRegion& region) {
     const bool directional = image.directional();
     RegionScale scale{};
@@ -73,6 +67,7 @@ WarpContext warpContext(const ShadowProblem& problem, const LightImage& image,
         .view = {},
         .perspective = viewer.clipFromView.row(3).head<3>().norm() >
                        NoPerspective * std::abs(viewer.clipFromView(3, 3)),
+        .scale = scale,
         // At least the least texel that float positions allow, however small the region.
         .thickness = std::max(scale.liSize / std::max(problem.mapWidth, problem.mapHeight),
                               LeastTexel * scale.liReach),

@@ -31,6 +31,18 @@ struct ViewImage {
     FitReason reason() const { return fade < 1.0 ? FitReason::LightAlongView : FitReason::None; }
 };
 
+/// How far receivers are from where positions are measured, and how large their region is.
+struct RegionScale {
+    /// Distance over which positions are measured, in world units, and as a length in the light
+    /// image; > 0.
+    double wsReach;
+    double liReach;
+    /// Sum of the region's width and height in the light image.
+    double liSize;
+};
+
+RegionScale scaleOf(const LightImage& image, const FocusRegion& region);
+
 /// What a rule may look at to pick its warp.
 struct WarpContext {
     const ShadowProblem& problem;
@@ -45,32 +57,19 @@ struct WarpContext {
     /// Whether the viewer's projection is a perspective one; an orthographic one sees everything
     /// at one size.
     bool perspective;
+    /// The region's, as long as it is not cut.
+    RegionScale scale;
     /// A texel of a map without warp, in the light image: what the region is thickened by where a
     /// warp has to be safe.
     double thickness;
 
     /// Whether some of what is seen is nearer than other: what warps along the view are for.
     bool hasDepths() const { return perspective && region.vsReceiverFar > 0.0; }
-
-    /// The longest warp along a unit direction that is safe. Longer ones are pulled to it.
-    Vec2 longestSafe(const Vec2& direction) const;
 };
 
 /// @param region the problem's, which has a map
 WarpContext warpContext(const ShadowProblem& problem, const LightImage& image,
                         const FocusRegion& region);
-
-/// How far receivers are from where positions are measured, and how large their region is.
-struct RegionScale {
-    /// Distance over which positions are measured, in world units, and as a length in the light
-    /// image; > 0.
-    double wsReach;
-    double liReach;
-    /// Sum of the region's width and height in the light image.
-    double liSize;
-};
-
-RegionScale scaleOf(const LightImage& image, const FocusRegion& region);
 
 /// What a rule may write: what it remembers, and room for its work.
 struct RuleState {

@@ -33,7 +33,7 @@ struct Sphere {
 /// Corners of all that is in view of the problem's part, in view space, where it stays as it is
 /// while the viewer turns and moves; none for a view without end.
 const std::vector<Vec3>& vsCornersInView(const ShadowProblem& problem, RuleScratch& scratch) {
-    std::vector<Vec3>& points = scratch.wsPoints;
+    std::vector<Vec3>& points = scratch.vsPoints;
     points.clear();
     ShadowViewer viewer = problem.viewer;
     viewer.viewFromWorld = Mat4::Identity();

@@ -1,4 +1,4 @@
-/** The contract of a fit, which every technique passes, for any valid scene.
+/** The contract of a fit (plugin/README.md), which every technique passes, for any valid scene.
 
     What a fit says is checked against rays and points (Oracle.h), never against its own hulls.
 */
@@ -73,12 +73,10 @@ protected:
     static bool isServed(const Scene& scene, const ShadowFit& fit, const ShadowedPoint& point) {
         if (GetParam().servesAll()) return true;
         constexpr double Rounding = 1e-6;
-        double margin = 1e30;
-        for (const Vec3& ws : {point.wsReceiver, point.wsOccluder})
-            for (std::size_t i = 0; i < fit.servedCount; ++i)
-                margin = std::min(margin, fit.wsServed[i].dot(ws.homogeneous()) -
-                                              Rounding * (ws.norm() + scene.size));
-        return margin > 0.0;
+        const auto isInside = [&](const Vec3& ws) {
+            return servedMargin(fit, ws) > Rounding * (ws.norm() + scene.size);
+        };
+        return isInside(point.wsReceiver) && isInside(point.wsOccluder);
     }
 
     /// Texels that the map keeps free between what it serves and its border.
@@ -235,6 +233,7 @@ Scene narrowViewOfFloor() {
 
 INSTANTIATE_TEST_SUITE_P(EveryTechnique, Contract, testing::ValuesIn(trials()), ByName{});
 
+/// Clause 2.
 TEST_P(Contract, MatricesAreFiniteAndInvertible) {
     forAnyScene([](const Scene&, const ShadowFit& fit, const FitState&, Dice&) {
         if (!fit.hasMap()) return false;
@@ -251,6 +250,7 @@ TEST_P(Contract, MatricesAreFiniteAndInvertible) {
     });
 }
 
+/// Clause 2.
 TEST_P(Contract, ValidInputIsNotCalledInvalid) {
     forAnyScene([](const Scene&, const ShadowFit& fit, const FitState&, Dice&) {
         RC_ASSERT(fit.reason < FitReason::Unbounded);
@@ -258,6 +258,7 @@ TEST_P(Contract, ValidInputIsNotCalledInvalid) {
     });
 }
 
+/// Clause 2.
 TEST_P(Contract, NothingToDrawOnlyWhereTheOracleFindsNoShadow) {
     forAnyScene([](const Scene& scene, const ShadowFit& fit, const FitState&, Dice& dice) {
         if (fit.hasMap()) return false;
@@ -270,14 +271,17 @@ TEST_P(Contract, NothingToDrawOnlyWhereTheOracleFindsNoShadow) {
     });
 }
 
+/// Clause 3.
 TEST_P(Contract, ShadowedPointsLieInsideTheMapsBorder) {
     forAnyShadow(liesInsideTheBorder);
 }
 
+/// Clause 3.
 TEST_P(Contract, ShadowedPointsOfASmallFarReceiverLieInsideTheMapsBorder) {
     forAnyShadow(liesInsideTheBorder, smallFarReceiver());
 }
 
+/// Clause 3.
 TEST_P(Contract, ShadowedPointsOfANarrowViewOfAFloorLieInsideTheMapsBorder) {
     const Scene scene = narrowViewOfFloor();
     FitState state;
@@ -293,6 +297,7 @@ TEST_P(Contract, ShadowedPointsOfANarrowViewOfAFloorLieInsideTheMapsBorder) {
     EXPECT_GE(least, border(scene, fit));
 }
 
+/// Clause 4.
 TEST_P(Contract, OccludersAreDrawn) {
     forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
                     const std::vector<ShadowedPoint>& points) {
@@ -311,6 +316,7 @@ TEST_P(Contract, OccludersAreDrawn) {
     });
 }
 
+/// Clause 4.
 TEST_P(Contract, StoredDepthOfReceiversIsBetweenZeroAndOne) {
     forAnyShadow([](const Scene&, const ShadowFit& fit, const FitState&,
                     const std::vector<ShadowedPoint>& points) {
@@ -325,6 +331,7 @@ TEST_P(Contract, StoredDepthOfReceiversIsBetweenZeroAndOne) {
     });
 }
 
+/// Clause 4.
 TEST_P(Contract, StoredDepthGrowsAlongTheLight) {
     forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
                     const std::vector<ShadowedPoint>& points) {
@@ -341,6 +348,7 @@ TEST_P(Contract, StoredDepthGrowsAlongTheLight) {
     });
 }
 
+/// Clause 4.
 TEST_P(Contract, WindingSeenFromTheLightIsKept) {
     forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
                     const std::vector<ShadowedPoint>& points) {
@@ -361,6 +369,7 @@ TEST_P(Contract, WindingSeenFromTheLightIsKept) {
     });
 }
 
+/// Clause 5.
 TEST_P(Contract, OneRayIsOneTexel) {
     forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
                     const std::vector<ShadowedPoint>& points) {
@@ -376,6 +385,7 @@ TEST_P(Contract, OneRayIsOneTexel) {
 
 /// Where the map has the receivers' rays, by the fit's own numbers in long double: the whole chain
 /// from the world to clip space, without the products of matrices.
+/// Clause 5.
 TEST_P(Contract, TheMatrixAgreesWithALongerArithmetic) {
     forAnyShadow([](const Scene& scene, const ShadowFit& fit, const FitState&,
                     const std::vector<ShadowedPoint>& points) {
@@ -407,14 +417,17 @@ TEST_P(Contract, TheMatrixAgreesWithALongerArithmetic) {
     });
 }
 
+/// Clause 5.
 TEST_P(Contract, OneRayIsOneTexelInFloat) {
     isOneTexelInFloat(anySceneOfHulls());
 }
 
+/// Clause 5.
 TEST_P(Contract, OneRayOfASmallFarReceiverIsOneTexelInFloat) {
     isOneTexelInFloat(smallFarReceiver());
 }
 
+/// Clause 6.
 TEST_P(Contract, TheMapIsTight) {
     forAnyScene([](const Scene& scene, const ShadowFit& fit, const FitState& state, Dice&) {
         // A map that the technique gives whole is not fitted to the region.
@@ -471,6 +484,7 @@ TEST_P(Contract, TheMapIsTight) {
     });
 }
 
+/// Clause 6.
 TEST_P(Contract, TheFocusPolygonHoldsTheFocusRegion) {
     forAnyScene([](const Scene&, const ShadowFit& fit, const FitState& state, Dice&) {
         if (!fit.hasMap()) return false;
@@ -502,6 +516,7 @@ TEST_P(Contract, TheFocusPolygonHoldsTheFocusRegion) {
     });
 }
 
+/// Clause 8.
 TEST_P(Contract, HasNoHiddenUnit) {
     forAnyScene([this](const Scene& scene, const ShadowFit& fit, const FitState&, Dice&) {
         for (const double factor : {1024.0, 1.0 / 1024.0}) {
@@ -522,6 +537,7 @@ TEST_P(Contract, HasNoHiddenUnit) {
     });
 }
 
+/// Clause 3 to 5, from a warm state.
 TEST_P(Contract, AUsedStateGivesTheSameGuarantees) {
     // Another scene's fit before this one must not show but in the choice of orientation.
     const bool holds = rc::check([&] {

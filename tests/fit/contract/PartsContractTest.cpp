@@ -1,11 +1,9 @@
-/** The contract of a fit, for lights in several maps: every shadowed point is in the map of the
+/** Contract, 3 to 5, for lights in several maps: every shadowed point is in the map of the
     part that serves it. */
+#include "fit/Divisions.h"
 #include "fit/Oracle.h"
 #include "fit/Trials.h"
 
-#include "fit/parts/CascadeMemory.h"
-#include "fit/parts/CascadeSplits.h"
-#include "fit/parts/LightPartition.h"
 #include "fit/technique/PostProjectiveCube.h"
 
 #include <gtest/gtest.h>
@@ -22,36 +20,6 @@ namespace {
 
 constexpr std::size_t RaysPerScene = 100;
 
-/// A way to share a light among maps.
-struct Division {
-    const char* name;
-    /// Whether the light is made a point light.
-    bool point;
-    LightPartition (*divide)(const ShadowProblem& problem);
-};
-
-LightPartition slices(const ShadowProblem& problem) {
-    CascadeMemory memory;
-    CascadeScratch scratch;
-    std::vector<double> splits;
-    cascadeSplits(problem, 3, {}, memory, scratch, splits);
-    return sliceView(problem.viewer, problem.light, splits);
-}
-
-LightPartition cube(const ShadowProblem& problem) {
-    return cubeAround(problem.light);
-}
-
-LightPartition faces(const ShadowProblem& problem) {
-    AimScratch scratch;
-    return facesOfView(problem.viewer, problem.light, scratch);
-}
-
-LightPartition aimed(const ShadowProblem& problem) {
-    AimScratch scratch;
-    return aimedSpot(problem, scratch);
-}
-
 struct Combination {
     std::string name;
     Division division;
@@ -66,12 +34,12 @@ std::vector<Combination> combinations() {
     const FitTechnique& cubeFace = CubeOptions::technique();
     const Trial face{"Face", &cubeFace, cubeFace.makeOptions(nullptr)};
     for (const Trial& trial : trialsThatServeAll())
-        add({"Slices", false, slices}, trial);
-    add({"Faces", false, faces}, face);
-    add({"FacesOfAPoint", true, faces}, face);
+        add(divisionNamed("Slices"), trial);
+    add(divisionNamed("Faces"), face);
+    add(divisionNamed("FacesOfAPoint"), face);
     for (const char* const name : {"Uniform", "Uniform_stable", "Optimal"}) {
-        add({"Cube", true, cube}, trialNamed(name));
-        add({"Aimed", true, aimed}, trialNamed(name));
+        add(divisionNamed("Cube"), trialNamed(name));
+        add(divisionNamed("Aimed"), trialNamed(name));
     }
     return all;
 }
@@ -104,7 +72,8 @@ TEST_P(PartsContract, HoldsForEveryShadowedPoint) {
         }
         RC_LOG() << std::setprecision(17) << scene << "\n";
         const ShadowProblem whole = scene.problem();
-        const LightPartition parts = GetParam().division.divide(whole);
+        DivisionRoom room;
+        const LightPartition parts = GetParam().division.divide(whole, room);
         // An aimed spot may be too wide; it is tested where it says so.
         if (parts.count == 0) return;
         std::array<std::optional<ShadowFit>, LightPartition::Capacity> fits;
