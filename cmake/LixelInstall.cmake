@@ -51,6 +51,9 @@ set(public_headers
   setup/TechniqueShadowCameraSetup.h
   material/ShadowMaterials.h
   material/ShadowParameters.h
+  script/PresetSettings.h
+  script/ShadowCameraSetupManager.h
+  script/ShadowPreset.h
   headless/Headless.h)
 # Each technique's options.
 file(GLOB techniques CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/plugin"

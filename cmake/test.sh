@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs all of Lixel's tests: prepares this machine, builds everything in build/, tests it, and then
-# tests fit and scene once more, built with the address and undefined-behaviour sanitizers.
+# tests fit, scene and scripts once more, built with the address and undefined-behaviour sanitizers.
 #
 #     sh cmake/test.sh
 #
@@ -46,17 +46,18 @@ ninja -C build
 say "Testing"
 run_tests build
 
-say "Building the tests of fit and scene with sanitizers"
+say "Building the tests of fit, scene and scripts with sanitizers"
 # Assertions stay on. The samples and their libraries are not needed.
 cmake -S . -B build/sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 \
     -DLIXEL_BUILD_SAMPLES=OFF -DLIXEL_BUILD_TESTS=ON -DLIXEL_SANITIZE=ON
-ninja -C build/sanitized tests/fit/all tests/scene/all
+ninja -C build/sanitized tests/fit/all tests/scene/all tests/script/all
 
-say "Testing fit and scene with sanitizers"
+say "Testing fit, scene and scripts with sanitizers"
 # OGRE's PNG writer frees with delete[] what malloc gave. Leaks of the libraries that tests load are
 # suppressed by the tests themselves (tests/headless/SanitizerOptions.cpp).
 export ASAN_OPTIONS=alloc_dealloc_mismatch=0 UBSAN_OPTIONS=print_stacktrace=1
-for label in fit scene; do
+# Of the label material there are the scripts.
+for label in fit scene material; do
     run_tests build/sanitized --label-regex "^$label\$"
 done
 

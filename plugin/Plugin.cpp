@@ -1,6 +1,7 @@
 #include "Plugin.h"
 
 #include <Lixel/material/ShadowParameters.h>
+#include <Lixel/script/ShadowCameraSetupManager.h>
 #include <Lixel/setup/Detach.h>
 #include <Lixel/setup/LightGuard.h>
 
@@ -19,11 +20,13 @@ const Ogre::String& Plugin::getName() const {
 
 void Plugin::initialise() {
     mShadowParameters = std::make_unique<ShadowParameters>();
+    mPresets = std::make_unique<ShadowCameraSetupManager>();
     Ogre::Root::getSingleton().addFrameListener(this);
 }
 
 void Plugin::shutdown() {
     Ogre::Root::getSingleton().removeFrameListener(this);
+    mPresets.reset();
     mShadowParameters.reset();
     // The library may be unloaded next, under scenes that live on.
     detachFromOgre();

@@ -7,9 +7,10 @@
 
 namespace Lixel {
 
+class ShadowCameraSetupManager;
 class ShadowParameters;
 
-/// Lixel as OGRE's plugin: registers what materials need, and nothing else.
+/// Lixel as OGRE's plugin: registers what scripts and materials need, and nothing else.
 class Plugin : public Ogre::Plugin, public Ogre::FrameListener {
 public:
     Plugin();
@@ -26,6 +27,7 @@ public:
 
 private:
     std::unique_ptr<ShadowParameters> mShadowParameters;
+    std::unique_ptr<ShadowCameraSetupManager> mPresets;
 };
 
 } // namespace Lixel

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
         if (const int* const exitCode = std::get_if<int>(&parsed)) return *exitCode;
         const BrowserOptions& options = std::get<BrowserOptions>(parsed);
         if (options.listOptions) {
-            fmt::print("{}", optionsTable());
+            fmt::print("{}\n{}", optionsTable(), settingsTable());
             return 0;
         }
         if (options.list) {

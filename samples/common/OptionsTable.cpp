@@ -1,5 +1,6 @@
 #include "common/OptionsTable.h"
 
+#include <Lixel/script/PresetSettings.h>
 #include <Lixel/setup/SetupList.h>
 
 #include <fmt/core.h>
@@ -27,6 +28,14 @@ std::string optionsTable() {
     for (const SetupKind& kind : setupKinds())
         addRows(fmt::format("`{}ShadowCameraSetup`", kind.name), kind.options, *kind.create(),
                 table);
+    return table;
+}
+
+std::string settingsTable() {
+    std::string table = "| keyword | values | default | |\n|---|---|---|---|\n";
+    for (const PresetSetting& setting : presetSettings())
+        table += fmt::format("| `{}` | {} | {} | {} |\n", setting.keyword, setting.values,
+                             setting.standard.empty() ? "–" : setting.standard, setting.use);
     return table;
 }
 

@@ -41,10 +41,12 @@ for setup in $(sed -n '/^Setups:/,$s/^  //p' list); do
     done
 done
 
-# The README's table is what the browser prints.
+# The README's tables are what the browser prints.
 "$browser" --options >options
-sed -n '/^| setup | option | values |/,/^$/{/^|/p}' "$readme" | cmp - options ||
-    fail "the README's table of options is not what --options prints"
+{
+    sed -n '/^| setup | option | values |/,/^$/p' "$readme"
+    sed -n '/^| keyword | values |/,/^$/{/^|/p}' "$readme"
+} | cmp - options || fail "the README's tables of options are not what --options prints"
 
 "$browser" --headless --sample duel --setup XPSM --set strength=0 --set guarded=false --map 128 \
     --size 160x120 --output flat.png --comparison flat-comparison.png --stats flat.json >/dev/null

@@ -1,0 +1,181 @@
+#include "script/ShadowCameraSetupManager.h"
+
+#include "scene/NameList.h"
+#include "script/PresetTranslator.h"
+#include "script/PresetUse.h"
+#include "script/ScriptCheck.h"
+
+#include <OgreArchive.h>
+#include <OgreDataStream.h>
+#include <OgreException.h>
+#include <OgreLogManager.h>
+#include <OgreResourceGroupManager.h>
+#include <OgreRoot.h>
+#include <OgreSceneManager.h>
+#include <OgreScriptCompiler.h>
+
+#include <algorithm>
+#include <set>
+
+namespace Lixel {
+namespace {
+
+ShadowCameraSetupManager* theManager = nullptr;
+
+const char* const ResourceType = "ShadowCameraSetup";
+const char* const Pattern = "*.shadow";
+/// OGRE's script compiler has 90: what its scripts define is there before.
+constexpr Ogre::Real LoadOrder = 95;
+
+/// As OGRE's script compiler logs its errors.
+void logScriptError(const std::string& file, unsigned line, const std::string& what) {
+    Ogre::LogManager::getSingleton().logError("ScriptCompiler - " + what + " in " + file + "(" +
+                                              std::to_string(line) + "); the file is left out");
+}
+
+Ogre::DataStreamPtr streamOf(const std::string& text, const std::string& name) {
+    // It reads from its own copy.
+    auto* const stream = new Ogre::MemoryDataStream(name, text.size(), true);
+    std::copy(text.begin(), text.end(), stream->getPtr());
+    return Ogre::DataStreamPtr(stream);
+}
+
+/// Has OGRE's script compiler forget what it imported: it does not where it throws.
+void clearCompiler(const std::string& group) {
+    Ogre::DataStreamPtr nothing = streamOf("", "");
+    Ogre::ScriptCompilerManager::getSingleton().parseScript(nothing, group);
+}
+
+std::optional<std::string> readScript(const std::string& file, const std::string& group) {
+    const Ogre::DataStreamPtr stream =
+        Ogre::ResourceGroupManager::getSingleton().openResource(file, group, nullptr, false);
+    return stream ? std::optional(stream->getAsString()) : std::nullopt;
+}
+
+} // namespace
+
+ShadowCameraSetupManager::ShadowCameraSetupManager()
+    : mTranslator(std::make_unique<PresetTranslator>()) {
+    if (theManager != nullptr)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALID_STATE,
+                    "there is a ShadowCameraSetupManager already: Plugin_Lixel makes one",
+                    "ShadowCameraSetupManager");
+    theManager = this;
+    mResourceType = ResourceType;
+    mLoadOrder = LoadOrder;
+    mScriptPatterns.push_back(Pattern);
+    auto& compilers = Ogre::ScriptCompilerManager::getSingleton();
+    compilers.registerCustomWordId("shadow_camera_setup");
+    compilers.addTranslatorManager(mTranslator.get());
+    auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    groups._registerResourceManager(mResourceType, this);
+    groups._registerScriptLoader(this);
+}
+
+ShadowCameraSetupManager::~ShadowCameraSetupManager() {
+    auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    groups._unregisterScriptLoader(this);
+    groups._unregisterResourceManager(mResourceType);
+    Ogre::ScriptCompilerManager::getSingleton().removeTranslatorManager(mTranslator.get());
+    theManager = nullptr;
+}
+
+ShadowCameraSetupManager& ShadowCameraSetupManager::getSingleton() {
+    if (theManager == nullptr)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALID_STATE,
+                    "there is no ShadowCameraSetupManager: Plugin_Lixel is not loaded",
+                    "ShadowCameraSetupManager::getSingleton");
+    return *theManager;
+}
+
+ShadowPresetPtr ShadowCameraSetupManager::findByName(const Ogre::String& name,
+                                                     const Ogre::String& group) {
+    if (theManager == nullptr) return nullptr;
+    return std::static_pointer_cast<ShadowPreset>(theManager->getResourceByName(name, group));
+}
+
+ShadowPresetPtr ShadowCameraSetupManager::getByName(const Ogre::String& name,
+                                                    const Ogre::String& group) {
+    getSingleton();
+    if (const ShadowPresetPtr found = findByName(name, group)) return found;
+    std::vector<std::string> names;
+    for (const ShadowPresetPtr& preset : list())
+        names.push_back(preset->getName());
+    OGRE_EXCEPT(Ogre::Exception::ERR_ITEM_NOT_FOUND,
+                "name: there is no shadow_camera_setup '" + name + "'; there " +
+                    (names.empty() ? "are none: are materials/scripts a resource location of the "
+                                     "group General, and is it initialised?"
+                                   : "are: " + joinNames(names)),
+                "ShadowCameraSetupManager::getByName");
+}
+
+std::vector<ShadowPresetPtr> ShadowCameraSetupManager::list(const Ogre::String& group) {
+    std::vector<ShadowPresetPtr> presets;
+    for (const auto& [handle, resource] : getSingleton().getResourceIterator())
+        if (group.empty() || resource->getGroup() == group)
+            presets.push_back(std::static_pointer_cast<ShadowPreset>(resource));
+    std::ranges::sort(presets, {}, [](const ShadowPresetPtr& preset) -> const std::string& {
+        return preset->getName();
+    });
+    return presets;
+}
+
+void ShadowCameraSetupManager::parseScript(Ogre::DataStreamPtr& stream, const Ogre::String& group) {
+    readScript(*stream, group);
+}
+
+std::size_t ShadowCameraSetupManager::readScript(Ogre::DataStream& stream,
+                                                 const Ogre::String& group) {
+    const std::string text = stream.getAsString();
+    const std::string file = stream.getName();
+    const auto fault = findScriptFault(text, file, [&](const std::string& imported) {
+        return Lixel::readScript(imported, group);
+    });
+    if (fault) {
+        logScriptError(fault->file, fault->line, fault->what);
+        return 1;
+    }
+    mTranslator->beginFile(file);
+    std::size_t thrown = 0;
+    try {
+        Ogre::DataStreamPtr copy = streamOf(text, file);
+        Ogre::ScriptCompilerManager::getSingleton().parseScript(copy, group);
+    } catch (const Ogre::Exception& exception) {
+        thrown = 1;
+        logScriptError(file, 1, exception.getDescription());
+        clearCompiler(group);
+    }
+    return mTranslator->endFile() + thrown;
+}
+
+std::size_t ShadowCameraSetupManager::reload(const Ogre::String& group) {
+    auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    // From the archives themselves: the group's index has only what was there at its beginning.
+    std::set<std::string> read;
+    std::size_t errors = 0;
+    const Ogre::FileInfoListPtr files = groups.findResourceFileInfo(group, Pattern);
+    for (const Ogre::FileInfo& file : *files)
+        if (read.insert(file.filename).second)
+            errors += readScript(*file.archive->open(file.filename), group);
+    for (const auto& [name, sceneManager] : Ogre::Root::getSingleton().getSceneManagers()) {
+        try {
+            usePresetsAgain(*sceneManager);
+        } catch (const Ogre::Exception& exception) {
+            ++errors;
+            Ogre::LogManager::getSingleton().logError(
+                "Lixel: scene manager '" + name +
+                "' keeps its shadows: " + exception.getDescription());
+        }
+    }
+    return errors;
+}
+
+Ogre::Resource* ShadowCameraSetupManager::createImpl(const Ogre::String& name,
+                                                     Ogre::ResourceHandle handle,
+                                                     const Ogre::String& group, bool isManual,
+                                                     Ogre::ManualResourceLoader* loader,
+                                                     const Ogre::NameValuePairList*) {
+    return OGRE_NEW ShadowPreset(this, name, handle, group, isManual, loader);
+}
+
+} // namespace Lixel

@@ -1,0 +1,237 @@
+// Presets of scripts in a scene: what they draw, and what they refuse.
+
+#include "MaterialScene.h"
+
+#include <Lixel/material/ShadowMaterials.h>
+#include <Lixel/script/ShadowCameraSetupManager.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace Lixel::Tests {
+namespace {
+
+constexpr auto Integrated = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED;
+const char* const Group = "Edited";
+
+/// A resource group of one script, which is edited.
+class EditedScript {
+public:
+    explicit EditedScript(const std::string& text)
+        : mFolder(std::filesystem::temp_directory_path() /
+                  ("lixel-presets-" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(mFolder);
+        write(text);
+        auto& groups = Ogre::ResourceGroupManager::getSingleton();
+        groups.createResourceGroup(Group, true);
+        groups.addResourceLocation(mFolder.string(), "FileSystem", Group);
+        groups.initialiseResourceGroup(Group);
+    }
+    ~EditedScript() { std::filesystem::remove_all(mFolder); }
+
+    void write(const std::string& text) const { std::ofstream(mFolder / "my.shadow") << text; }
+
+    /// @return how many errors there were
+    std::size_t edit(const std::string& text) const {
+        write(text);
+        return ShadowCameraSetupManager::getSingleton().reload(Group);
+    }
+
+private:
+    std::filesystem::path mFolder;
+};
+
+void apply(const std::string& name, Ogre::Light& light) {
+    ShadowCameraSetupManager::getByName(name)->applyTo(light);
+}
+
+/// What an application is told.
+std::string refusalOf(const std::string& name, Ogre::Light& light) {
+    try {
+        apply(name, light);
+    } catch (const Ogre::Exception& exception) {
+        return exception.getDescription();
+    }
+    return {};
+}
+
+/// A scene in which one light shines, and shadows are off until something turns them on.
+struct UnshadowedScene : MaterialScene {
+    explicit UnshadowedScene(const std::string& material) : MaterialScene(Integrated, "") {
+        Ogre::SceneManager& manager = stage.sceneManager();
+        manager.setShadowTechnique(Ogre::SHADOWTYPE_NONE);
+        for (Ogre::Light* light : lights) {
+            light->setCustomShadowCameraSetup({});
+            light->setCastShadows(false);
+            light->setVisible(light == lights.front());
+        }
+        wear(material);
+    }
+};
+
+TEST(Presets, DrawWhatCallsDraw) {
+    std::vector<int> called;
+    {
+        UnshadowedScene scene("Lixel/Surface/Integrated/Maps3");
+        Ogre::SceneManager& manager = scene.stage.sceneManager();
+        Ogre::Light& sun = *scene.lights.front();
+        manager.setShadowTechnique(Integrated);
+        manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
+        manager.setShadowTextureSettings(1024, 3, Ogre::PF_FLOAT32_R);
+        manager.setShadowTextureSelfShadow(true);
+        setShadowMaterials(manager);
+        sun.setCastShadows(true);
+        sun.setCustomShadowCameraSetup(CascadesShadowCameraSetup::create());
+        called = scene.draw();
+    }
+    UnshadowedScene scene("Lixel/Surface/Integrated/Maps3");
+    const std::vector<int> unshadowed = scene.draw();
+    EXPECT_GT(differing(called, unshadowed), 0.5);
+    apply("Lixel/Sun", *scene.lights.front());
+    EXPECT_EQ(differing(scene.draw(), called, 0), 0.0);
+    scene.keepPicture("preset-sun");
+}
+
+TEST(Presets, AreOneLineForEveryKindOfLight) {
+    for (const char* const name :
+         {"Lixel/Sun", "Lixel/Landscape", "Lixel/Small", "Lixel/Spot", "Lixel/Point"}) {
+        UnshadowedScene scene("Lixel/Surface/Integrated/Maps6");
+        Ogre::Light& light = *scene.lights.front();
+        if (std::string(name) == "Lixel/Spot" || std::string(name) == "Lixel/Point") {
+            light.setType(std::string(name) == "Lixel/Spot" ? Ogre::Light::LT_SPOTLIGHT
+                                                            : Ogre::Light::LT_POINT);
+            light.setSpotlightRange(Ogre::Degree(60), Ogre::Degree(70));
+            light.getParentSceneNode()->setPosition(4, 4, 0);
+        }
+        const std::vector<int> unshadowed = scene.draw();
+        LogCollector log;
+        apply(name, light);
+        const std::vector<int> shadowed = scene.draw();
+        scene.keepPicture("preset-" + std::string(name).substr(6));
+        EXPECT_GT(differing(shadowed, unshadowed), 0.5) << name;
+        EXPECT_GT(shadowed[scene.pixelOf(Ogre::Vector3(1.5F, 0, 2))], 20) << name;
+        EXPECT_EQ(shadowed[scene.pixelOf(Ogre::Vector3(-1.5F, 0, 0))], 0) << name;
+        EXPECT_EQ(log.count("Lixel:"), 0U) << name << ": " << log.all();
+    }
+}
+
+TEST(Presets, MayBeASceneManagers) {
+    UnshadowedScene scene("Lixel/Surface/Integrated");
+    for (Ogre::Light* light : scene.lights) {
+        light->setVisible(true);
+        light->setCastShadows(true);
+    }
+    ShadowCameraSetupManager::getByName("Lixel/Small")->applyTo(scene.stage.sceneManager());
+    EXPECT_EQ(scene.stage.sceneManager().getShadowTextureConfigList().size(), 3U);
+    const std::vector<int> all = scene.draw();
+    EXPECT_EQ(scene.stage.sceneManager().getShadowCameraSetup(),
+              ShadowCameraSetupManager::getByName("Lixel/Small")->getSetup());
+    // In the shadow of two of three.
+    EXPECT_LT(all[scene.pixelOf(Ogre::Vector3(-1.5F, 0, 0))],
+              all[scene.pixelOf(Ogre::Vector3(4, 0, 4))]);
+}
+
+TEST(Presets, OfDifferentLightsStandTogether) {
+    UnshadowedScene scene("Lixel/Surface/Integrated/Maps6");
+    Ogre::Light& spot = *scene.lights[2];
+    spot.setVisible(true);
+    apply("Lixel/Sun", *scene.lights.front());
+    apply("Lixel/Spot", spot);
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    EXPECT_EQ(manager.getShadowTextureConfigList().size(), 4U);
+    EXPECT_EQ(manager.getShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL), 3U);
+    EXPECT_EQ(manager.getShadowTextureCountPerLightType(Ogre::Light::LT_SPOTLIGHT), 1U);
+    LogCollector log;
+    const std::vector<int> together = scene.draw();
+    EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+    scene.lights.front()->setVisible(false);
+    const std::vector<int> spotAlone = scene.draw();
+    scene.lights.front()->setVisible(true);
+    spot.setVisible(false);
+    const std::vector<int> sunAlone = scene.draw();
+    std::vector<int> sum(sunAlone.size());
+    for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] = std::min(255, sunAlone[i] + spotAlone[i]);
+    EXPECT_EQ(differing(together, sum, 2), 0.0);
+}
+
+TEST(Presets, ThatContradictOneAnotherAreRefused) {
+    UnshadowedScene scene("Lixel/Surface/Integrated/Maps6");
+    const EditedScript script("shadow_camera_setup A\n{\nmap_size 256\nmaps 1\n}\n"
+                              "shadow_camera_setup B\n{\nmap_size 512\n}\n"
+                              "shadow_camera_setup C\n{\ntechnique Cascades\n}\n"
+                              "shadow_camera_setup D\n{\nshadow_technique texture_additive\n"
+                              "maps 2\n}\n"
+                              "shadow_camera_setup E\n{\ncaster_material My/Missing\n}\n");
+    Ogre::Light &one = *scene.lights[0], &other = *scene.lights[1];
+    EXPECT_EQ(refusalOf("A", one), "");
+    EXPECT_EQ(refusalOf("B", other),
+              "map_size: 'A' says 256 256 and 'B', which is used in the same scene, says 512 512; "
+              "OGRE has one for all of a scene manager");
+    EXPECT_FALSE(other.getCustomShadowCameraSetup());
+    EXPECT_FALSE(other.getCastShadows());
+    EXPECT_EQ(refusalOf("C", other),
+              "maps: 'A' says 1 and 'C', which is used in the same scene, says 3; OGRE has one for "
+              "all lights of a type");
+    EXPECT_EQ(refusalOf("C", *scene.lights[2]), "") << "a light of another type";
+    EXPECT_EQ(refusalOf("E", other).substr(0, 38), "caster: there is no material 'My/Missi");
+    // In place of what the light has, it may say otherwise.
+    EXPECT_EQ(refusalOf("B", one), "");
+    EXPECT_EQ(refusalOf("D", other).substr(0, 30), "maps: 'B' says 1 and 'D', whic");
+    other.setVisible(false);
+    scene.lights[2]->setCustomShadowCameraSetup({});
+    one.setCustomShadowCameraSetup({});
+    EXPECT_EQ(refusalOf("D", one).substr(0, 58),
+              "maps: OGRE reads several maps of a light only under an int")
+        << "those that were taken off no longer count";
+    EXPECT_EQ(refusalOf("C", *scene.stage.sceneManager().createLight()), "");
+}
+
+TEST(Presets, FollowTheirScript) {
+    UnshadowedScene scene("Lixel/Surface/Integrated");
+    const std::vector<int> unshadowed = scene.draw();
+    const EditedScript script("shadow_camera_setup A\n{\ntechnique Uniform\nmap_size 512\n}\n");
+    Ogre::Light& sun = *scene.lights.front();
+    apply("A", sun);
+    const std::vector<int> fine = scene.draw();
+    EXPECT_GT(differing(fine, unshadowed), 0.5);
+
+    EXPECT_EQ(script.edit("shadow_camera_setup A\n{\ntechnique XPSM\nmap_size 32\n}\n"), 0U);
+    EXPECT_TRUE(std::dynamic_pointer_cast<XPSMShadowCameraSetup>(sun.getCustomShadowCameraSetup()));
+    const std::vector<int> coarse = scene.draw();
+    EXPECT_GT(differing(coarse, fine), 0.0);
+    EXPECT_GT(differing(coarse, unshadowed), 0.5);
+
+    EXPECT_EQ(script.edit("shadow_camera_setup A\n{\ntechnique XPSM\nmap_size 0\n}\n"), 1U);
+    EXPECT_EQ(differing(scene.draw(), coarse, 0), 0.0) << "an error keeps what was right";
+
+    EXPECT_EQ(script.edit("shadow_camera_setup A\n{\ntechnique Uniform\nmap_size 512\n}\n"), 0U);
+    EXPECT_EQ(differing(scene.draw(), fine, 0), 0.0);
+
+    // What an application takes off stays off.
+    sun.setCustomShadowCameraSetup(XPSMShadowCameraSetup::create());
+    EXPECT_EQ(script.edit("shadow_camera_setup A\n{\ntechnique Uniform\nmap_size 32\n}\n"), 0U);
+    EXPECT_TRUE(std::dynamic_pointer_cast<XPSMShadowCameraSetup>(sun.getCustomShadowCameraSetup()));
+    EXPECT_EQ(scene.stage.sceneManager().getShadowTextureConfigList()[0].width, 512U);
+}
+
+TEST(Presets, AreThereAfterTheirGroupWasReadAnew) {
+    UnshadowedScene scene("Lixel/Surface/Integrated");
+    const EditedScript script("shadow_camera_setup A\n{\ntechnique Uniform\n}\n");
+    apply("A", *scene.lights.front());
+    const std::vector<int> before = scene.draw();
+    auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    groups.clearResourceGroup(Group);
+    EXPECT_EQ(differing(scene.draw(), before, 0), 0.0);
+    script.write("shadow_camera_setup A\n{\ntechnique Uniform\nmap_size 32\n}\n");
+    groups.initialiseResourceGroup(Group);
+    EXPECT_EQ(differing(scene.draw(), before, 0), 0.0);
+    EXPECT_EQ(ShadowCameraSetupManager::getSingleton().reload(Group), 0U);
+    EXPECT_GT(differing(scene.draw(), before), 0.0);
+}
+
+} // namespace
+} // namespace Lixel::Tests
