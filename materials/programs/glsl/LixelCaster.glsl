@@ -4,6 +4,9 @@
 //     depth = lixelCasterDepthOf(gl_Position);
 uniform vec4 lixelCasterDepth; // stored depth = x * clip z + y
 
+// Where the surface's texture is read, if its alpha cuts holes. For other surfaces it need not be set.
+out vec2 lixelCasterUv;
+
 // Depth of a clip position, affine in world space: taken before any division, so that the warp's
 // denominator costs it no bits.
 float lixelCasterDepthOf(vec4 clip)

@@ -3,8 +3,10 @@
 #include "LixelCaster.glsl"
 
 in vec4 vertex;
+in vec2 uv0;
 
 uniform mat4 worldViewProj;
+uniform mat4 diffuseMapMatrix; // scale, scroll, rotate of its texture unit
 
 out float depth;
 
@@ -12,4 +14,5 @@ void main()
 {
     gl_Position = worldViewProj * vertex;
     depth = lixelCasterDepthOf(gl_Position);
+    lixelCasterUv = (diffuseMapMatrix * vec4(uv0, 0.0, 1.0)).xy;
 }

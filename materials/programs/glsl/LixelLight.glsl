@@ -9,10 +9,13 @@ uniform float shininess;
 uniform vec3 cameraPosition;
 uniform sampler2D diffuseMap;
 uniform vec4 diffuseMapSize; // (1, 1, 1, 1) where the material has no such texture
+uniform float alphaRejection; // the least alpha that is drawn, by the pass's alpha_rejection
 
 vec4 lixelDiffuseMap(vec2 uv)
 {
-    return diffuseMapSize.x * diffuseMapSize.y > 1.0 ? texture(diffuseMap, uv) : vec4(1.0);
+    vec4 texel = diffuseMapSize.x * diffuseMapSize.y > 1.0 ? texture(diffuseMap, uv) : vec4(1.0);
+    if (texel.a < alphaRejection) discard;
+    return texel;
 }
 
 vec3 lixelLight(vec3 wsPosition, vec3 wsNormal, vec3 albedo)
