@@ -7,6 +7,7 @@
 #include "setup/News.h"
 
 #include <OgreLight.h>
+#include <OgreNode.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
 
@@ -21,11 +22,25 @@ bool isFinite(const Ogre::Vector3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// Whether all that its nodes say of where it is, as they stand now, is finite: what they derived in
+/// the frame before is not asked for.
+bool areNodesFinite(const Ogre::Light& light) {
+    Ogre::Vector3 ws = Ogre::Vector3::ZERO;
+    for (const Ogre::Node* node = light.getParentNode(); node != nullptr;
+         node = node->getParent()) {
+        const Ogre::Quaternion& turn = node->getOrientation();
+        if (!std::isfinite(turn.Dot(turn)) || !isFinite(node->getScale())) return false;
+        ws = turn * (node->getScale() * ws) + node->getPosition();
+    }
+    return isFinite(ws);
+}
+
 enum class Trouble { None, NotPlaced, NotFinite };
 
 /// Leaves the light relative to no camera, until OGRE tells it this frame's.
 Trouble troubleOf(Ogre::Light& light) {
     if (!isPlaced(light)) return Trouble::NotPlaced;
+    if (!areNodesFinite(light)) return Trouble::NotFinite;
     // It may be relative to one that has gone, which it reads when it is asked where it is.
     light._setCameraRelative(nullptr);
     const bool finite =

@@ -17,8 +17,9 @@ namespace Lixel {
 namespace {
 
 /// One for all targets, and never destroyed before them: a render target does not tell its
-/// listeners when it goes.
-class ShadowPassListener : public Ogre::RenderTargetListener {
+/// listeners when it goes. Cameras do: where an exception ends the preparation of maps, their
+/// textures may go before they are drawn.
+class ShadowPassListener : public Ogre::RenderTargetListener, public Ogre::Camera::Listener {
 public:
     /// @param volume the camera's culling frustum from now on, or null to leave it as it is
     void arm(Ogre::Camera& camera, Ogre::Frustum* volume) {
@@ -31,6 +32,7 @@ public:
             camera.setCullingFrustum(volume);
         }
         target->addListener(this); // once, however often it is called
+        camera.addListener(this);
         mTargets.insert(target->getName());
     }
 
@@ -50,7 +52,16 @@ public:
                     system != nullptr ? system->getRenderTarget(name) : nullptr)
                 target->removeListener(this);
         mTargets.clear();
+        for (const auto& [target, cameras] : mArmed)
+            for (const auto& [camera, armed] : cameras)
+                camera->removeListener(this);
         mArmed.clear();
+    }
+
+    void cameraDestroyed(Ogre::Camera* camera) override {
+        for (auto& [target, cameras] : mArmed)
+            cameras.erase(camera);
+        std::erase_if(mArmed, [](const auto& entry) { return entry.second.empty(); });
     }
 
     void preRenderTargetUpdate(const Ogre::RenderTargetEvent& event) override {
@@ -62,6 +73,7 @@ public:
         if (armed == mArmed.end()) return;
         setDepthClamp(false);
         for (const auto& [camera, state] : armed->second) {
+            camera->removeListener(this);
             camera->setCullingFrustum(state.before);
             camera->getViewport()->setAutoUpdated(true);
         }

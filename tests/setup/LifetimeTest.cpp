@@ -128,5 +128,24 @@ TEST(Lifetime, SetupsWorkAfterThePluginWasLoadedAgain) {
     }
 }
 
+/// OGRE throws between the preparation of a map and its drawing; then the textures go.
+TEST(Lifetime, AnExceptionInAMapLeavesNothingBehind) {
+    BoxOnGround scene;
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    scene.stage.drawFrame();
+    const Ogre::MaterialPtr caster =
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster");
+    for (unsigned short size = 64; size <= 1024; size = static_cast<unsigned short>(2 * size)) {
+        manager.setShadowTextureCasterMaterial({}); // OGRE's own has no programs
+        EXPECT_THROW(scene.stage.drawFrame(), Ogre::Exception);
+        manager.setShadowTextureCasterMaterial(caster);
+        manager.setShadowTextureSettings(size, 1, Ogre::PF_FLOAT32_R);
+        scene.stage.drawFrame();
+        const Ogre::TexturePtr& texture = manager.getShadowTexture(0);
+        EXPECT_TRUE(texture->getBuffer()->getRenderTarget()->getViewport(0)->isAutoUpdated());
+    }
+    EXPECT_LT(scene.visibilityAt(Ogre::Vector3(-2, 0, 0)), 128);
+}
+
 } // namespace
 } // namespace Lixel::Tests

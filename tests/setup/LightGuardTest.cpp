@@ -194,5 +194,33 @@ TEST_F(LightGuarded, SurvivesANaNAnywhere) {
     EXPECT_TRUE(shines());
 }
 
+/// A node that moves between two frames: what it derived in the last one is finite.
+TEST(LightGuard, SeesWhereNodesAreNow) {
+    for (const bool isGrandparent : {false, true}) {
+        BoxOnGround scene;
+        Ogre::Light& light = scene.stage.light();
+        light.setType(Ogre::Light::LT_SPOTLIGHT);
+        light.setSpotlightRange(Ogre::Degree(60), Ogre::Degree(70));
+        Ogre::SceneNode* node = light.getParentSceneNode();
+        node->setPosition(4, 6, 0);
+        if (isGrandparent) {
+            Ogre::SceneNode* const above =
+                scene.stage.sceneManager().getRootSceneNode()->createChildSceneNode();
+            node->getParentSceneNode()->removeChild(node);
+            above->addChild(node);
+            node = above;
+        }
+        const Ogre::Vector3 before = node->getPosition();
+        scene.stage.drawFrame();
+        LogCollector log;
+        node->setPosition(Infinity, 0, 0);
+        scene.stage.drawFrame();
+        EXPECT_EQ(log.count("not finite"), 1U) << log.all();
+        node->setPosition(before);
+        scene.stage.drawFrame();
+        EXPECT_LT(scene.visibilityAt(InShadow), 128);
+    }
+}
+
 } // namespace
 } // namespace Lixel::Tests
