@@ -5,6 +5,7 @@
 #include <Lixel/setup/Detach.h>
 #include <Lixel/setup/LightGuard.h>
 
+#include <OgreLogManager.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
 
@@ -44,14 +45,23 @@ bool Plugin::frameStarted(const Ogre::FrameEvent&) {
 
 namespace {
 std::unique_ptr<Lixel::Plugin> thePlugin;
+/// How often OGRE has loaded it: it takes two spellings of a path for two plugins.
+unsigned loads = 0;
 } // namespace
 
 extern "C" __attribute__((visibility("default"))) void dllStartPlugin() {
+    if (loads++ > 0) {
+        Ogre::LogManager::getSingleton().logWarning("Lixel: Plugin_Lixel is loaded already, maybe "
+                                                    "by plugins.cfg and by another spelling of "
+                                                    "its path; it stays installed once");
+        return;
+    }
     thePlugin = std::make_unique<Lixel::Plugin>();
     Ogre::Root::getSingleton().installPlugin(thePlugin.get());
 }
 
 extern "C" __attribute__((visibility("default"))) void dllStopPlugin() {
+    if (--loads > 0) return;
     Ogre::Root::getSingleton().uninstallPlugin(thePlugin.get());
     thePlugin.reset();
 }

@@ -60,5 +60,31 @@ TEST(Unload, NothingIsCalledThatIsGone) {
     root.destroySceneManager(manager);
 }
 
+/// OGRE takes two spellings of a path for two plugins.
+TEST(Load, TwiceIsOnce) {
+    unsetenv("DISPLAY");
+    ASSERT_EQ(Headless::enable(), "");
+    Ogre::LogManager logs;
+    logs.createLog("", true, false, true);
+    Ogre::Root root("", "", "");
+    root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
+    const Ogre::String plugin = LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
+    root.loadPlugin(plugin);
+    root.loadPlugin("/" + plugin);
+    EXPECT_EQ(root.getInstalledPlugins().size(), 2U) << "the render system's and Lixel's";
+    root.setRenderSystem(root.getAvailableRenderers().front());
+    root.initialise(false);
+    Ogre::NameValuePairList parameters;
+    for (const auto& [name, value] : Headless::windowParameters())
+        parameters[name] = value;
+    root.createRenderWindow("", 32, 32, false, &parameters);
+    root.renderOneFrame();
+    root.unloadPlugin(plugin);
+    root.renderOneFrame();
+    EXPECT_EQ(root.getInstalledPlugins().size(), 2U) << "still loaded by the other spelling";
+    root.unloadPlugin("/" + plugin);
+    EXPECT_EQ(root.getInstalledPlugins().size(), 1U);
+}
+
 } // namespace
 } // namespace Lixel::Tests
