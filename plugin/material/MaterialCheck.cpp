@@ -5,6 +5,7 @@
 #include "material/ProgramCheck.h"
 #include "material/QueuedPasses.h"
 #include "scene/Log.h"
+#include "scene/OgreVersions.h"
 
 #include <OgreEntity.h>
 #include <OgreGpuProgram.h>
@@ -132,6 +133,14 @@ void MaterialCheck::listen(bool toCasters) {
 }
 
 void MaterialCheck::beginFrame(const std::string& scheme) {
+    const Shadows shadows{mManager.getShadowTechnique(),
+                          shadowCasterPassOf(mManager),
+                          shadowReceiverPassOf(mManager),
+                          {mManager.getShadowTextureCountPerLightType(Ogre::Light::LT_POINT),
+                           mManager.getShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL),
+                           mManager.getShadowTextureCountPerLightType(Ogre::Light::LT_SPOTLIGHT)}};
+    if (shadows != mShadows) mFrame = 0;
+    mShadows = shadows;
     mLooks = mFrame < FirstLooks || mFrame % Interval == 0;
     ++mFrame;
     mCasters.clear();

@@ -2,8 +2,10 @@
 
 #include "setup/ShadowMapObserver.h"
 
+#include <OgreCommon.h>
 #include <OgreRenderObjectListener.h>
 
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -30,8 +32,8 @@ namespace Lixel {
     - shadow textures that cannot hold Lixel's depth, or that are too few;
     - lights without a setup.
 
-    Looking costs time, so it is done in the first frames of a scene manager, and then every
-    Interval frames.
+    Looking costs time, so it is done in the first frames of a scene manager, and after its shadow
+    technique, materials or numbers of maps changed; and then every Interval frames.
 */
 class MaterialCheck : public Ogre::RenderObjectListener {
 public:
@@ -72,6 +74,15 @@ private:
     void say(const std::string& message);
 
     Ogre::SceneManager& mManager;
+    /// What decides which materials go together.
+    struct Shadows {
+        Ogre::ShadowTechnique technique = Ogre::SHADOWTYPE_NONE;
+        const Ogre::Pass* caster = nullptr;
+        const Ogre::Pass* receiver = nullptr;
+        std::array<std::size_t, 3> mapsOfTypes{};
+        bool operator==(const Shadows&) const = default;
+    };
+    Shadows mShadows; ///< when it looked last
     unsigned mFrame = 0;
     bool mLooks = false;
     bool mListens = false;

@@ -396,5 +396,21 @@ TEST(MaterialCheck, SaysThatAFormatHoldsTooLittleDepth) {
     EXPECT_EQ(log.count("do not hold what Lixel/Caster stores"), 1U) << log.all();
 }
 
+/// What changes while the program runs is looked at in the next frame.
+TEST(MaterialCheck, LooksAgainWhereTheTechniqueChanges) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
+    scene.wear("Lixel/Surface/Integrated");
+    for (int frame = 0; frame < 10; ++frame)
+        scene.draw();
+    LogCollector log;
+    scene.stage.sceneManager().setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE);
+    try {
+        scene.draw();
+    } catch (const Ogre::Exception&) {
+        // It has no receiver that can be drawn.
+    }
+    EXPECT_EQ(log.count("has no shadow receiver material"), 1U) << log.all();
+}
+
 } // namespace
 } // namespace Lixel::Tests
