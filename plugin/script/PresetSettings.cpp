@@ -98,8 +98,8 @@ std::string_view kindNames(bool withCascades) {
 
 std::span<const PresetSetting> presetSettings() {
     static const std::array settings{
-        PresetSetting{"technique", kindNames(true), "XPSM", "which setup: the name before ShadowCameraSetup",
-                      readKind},
+        PresetSetting{"technique", kindNames(true), "XPSM",
+                      "which setup: the name before ShadowCameraSetup", readKind},
         PresetSetting{"slices", kindNames(false), "Optimal",
                       "of Cascades: the setup of each slice; its options stand beside those of "
                       "Cascades",
@@ -128,8 +128,11 @@ std::span<const PresetSetting> presetSettings() {
                       readDistance},
         PresetSetting{"self_shadow", "true or false", "true",
                       "whether what casts shadows receives them too", readFlag},
-        PresetSetting{"caster_material", "the name of a material, or none", "Lixel/Caster",
-                      "the scene manager's caster; none: OGRE's own", readName},
+        PresetSetting{
+            "caster_material", "the name of a material, or none", "Lixel/Caster",
+            "the scene manager's caster; none: OGRE's own, which GL3Plus draws through the shader "
+            "system alone",
+            readName},
         PresetSetting{"receiver_material", "the name of a material, or none", "",
                       "the scene manager's receiver, which integrated techniques do not use; "
                       "without it, the one of Lixel's that fits shadow_technique and filter",

@@ -34,6 +34,7 @@ ShadowPreset& create(const Ogre::ObjectAbstractNode& object, const Ogre::String&
 void PresetTranslator::beginFile(const std::string& file) {
     mFile = file;
     mDefined.clear();
+    mSaid.clear();
     mErrors = 0;
 }
 
@@ -51,8 +52,12 @@ Ogre::ScriptTranslator* PresetTranslator::getTranslator(const Ogre::AbstractNode
 
 void PresetTranslator::translate(ScriptCompiler* compiler, const Ogre::AbstractNodePtr& node) {
     const auto& object = static_cast<const Ogre::ObjectAbstractNode&>(*node);
+    bool hasErrors = false;
     const auto fail = [&](const std::string& file, unsigned line, const std::string& what,
                           Ogre::uint32 code = ScriptCompiler::CE_INVALIDPARAMETERS) {
+        const bool isNew = mFile.empty() || file != mFile || mSaid.emplace(line, what).second;
+        hasErrors = true;
+        if (!isNew) return;
         ++mErrors;
         compiler->addError(code, file, static_cast<int>(line), what);
     };
@@ -73,7 +78,6 @@ void PresetTranslator::translate(ScriptCompiler* compiler, const Ogre::AbstractN
                     "'" + object.name + "' is defined already, in " + existing->getOrigin());
     mDefined.insert(object.name);
 
-    const std::size_t errorsBefore = mErrors;
     std::vector<PresetLine> lines;
     for (const Ogre::AbstractNodePtr& child : object.children) {
         if (child->type == Ogre::ANT_PROPERTY) {
@@ -92,7 +96,7 @@ void PresetTranslator::translate(ScriptCompiler* compiler, const Ogre::AbstractN
         }
     }
     // What is right already stays as it was.
-    if (isReadAgain && mErrors != errorsBefore) return;
+    if (isReadAgain && hasErrors) return;
     ShadowPreset& preset = isReadAgain ? *existing : create(object, compiler->getResourceGroup());
     for (const auto& [line, what] : preset.define(lines))
         fail(line.file, line.line, what);

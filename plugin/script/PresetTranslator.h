@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 
 namespace Lixel {
 
@@ -24,6 +25,8 @@ private:
     /// Presets that it has defined so far.
     std::set<std::string> mDefined;
     std::size_t mErrors = 0;
+    /// What was said of which line: whoever inherits it has it too.
+    std::set<std::pair<unsigned, std::string>> mSaid;
 };
 
 } // namespace Lixel

@@ -1,6 +1,7 @@
 #include "script/PresetUse.h"
 
 #include "material/ShadowMaterials.h"
+#include "scene/NameList.h"
 #include "scene/OgreVersions.h"
 #include "script/ShadowCameraSetupManager.h"
 #include "script/ShadowPreset.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -149,11 +151,32 @@ std::string receiverOf(const SettingValues& settings) {
     return name;
 }
 
-void setMaterials(Ogre::SceneManager& sceneManager, const SettingValues& settings) {
+/// Names of the presets that say a setting, for a message.
+std::string sayersOf(const std::vector<Use>& uses, const std::string& keyword) {
+    std::set<std::string> names;
+    for (const Use& use : uses)
+        if (use.preset->getSettings().contains(keyword)) names.insert(use.preset->getName());
+    return joinNames(names);
+}
+
+void setMaterials(Ogre::SceneManager& sceneManager, const SettingValues& settings,
+                  const std::vector<Use>& uses) {
     const std::string caster = settingOf(settings, "caster_material");
-    if (caster != "none") return setShadowMaterials(sceneManager, receiverOf(settings), caster);
-    setShadowMaterials(sceneManager, receiverOf(settings));
-    sceneManager.setShadowTextureCasterMaterial({});
+    try {
+        setShadowMaterials(sceneManager, receiverOf(settings),
+                           caster == "none" ? "Lixel/Caster" : caster);
+    } catch (const Ogre::Exception& exception) {
+        const std::string casters = sayersOf(uses, "caster_material");
+        const std::string receivers = sayersOf(uses, "receiver_material");
+        if (casters.empty() && receivers.empty()) throw;
+        OGRE_EXCEPT(Ogre::Exception::ERR_ITEM_NOT_FOUND,
+                    exception.getDescription() +
+                        " (caster_material is said by: " + (casters.empty() ? "nobody" : casters) +
+                        "; receiver_material by: " + (receivers.empty() ? "nobody" : receivers) +
+                        ")",
+                    "ShadowPreset::applyTo");
+    }
+    if (caster == "none") sceneManager.setShadowTextureCasterMaterial({});
 }
 
 /// Leaves textures alone that are as they should be: OGRE makes those anew that it is told of.
@@ -207,24 +230,30 @@ void giveTo(const Use& use, Ogre::SceneManager& sceneManager) {
         .setUserAny(BindingKey, Ogre::Any(Binding{use.preset->getName(), setup}));
 }
 
+/// Throws where a light is to have several maps, and OGRE reads one.
+void checkMaps(const std::vector<Use>& uses, const std::string& technique) {
+    for (const Use& use : uses)
+        if (use.light != nullptr && mapsOf(*use.preset) > 1 && !isIntegrated(technique))
+            OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                        "maps: OGRE reads several maps of a light only under an integrated "
+                        "shadow_technique, and this is " +
+                            technique + "; '" + use.preset->getName() + "' has " +
+                            std::to_string(mapsOf(*use.preset)) +
+                            (use.preset->getSettings().contains("maps")
+                                 ? ""
+                                 : ", as Cascades have where they do not say maps"),
+                        "ShadowPreset::applyTo");
+}
+
 /// Throws before anything is changed.
 void give(const std::vector<Use>& uses, Ogre::SceneManager& sceneManager) {
     const SettingValues settings = settingsOfScene(uses);
     const std::string technique = settingOf(settings, "shadow_technique");
     std::map<Ogre::Light::LightTypes, int> maps;
-    for (const Ogre::Light::LightTypes type : LightTypes) {
+    for (const Ogre::Light::LightTypes type : LightTypes)
         maps[type] = mapsOfType(uses, type);
-        if (maps[type] > 1 && !isIntegrated(technique) &&
-            std::ranges::any_of(uses, [&](const Use& use) {
-                return use.light != nullptr && use.light->getType() == type;
-            }))
-            OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                        "maps: OGRE reads several maps of a light only under an integrated "
-                        "shadow_technique, and this is " +
-                            technique,
-                        "ShadowPreset::applyTo");
-    }
-    setMaterials(sceneManager, settings);
+    checkMaps(uses, technique);
+    setMaterials(sceneManager, settings, uses);
     if (sceneManager.getShadowTechnique() != techniqueNamed(technique))
         sceneManager.setShadowTechnique(techniqueNamed(technique));
     sceneManager.setShadowTextureSelfShadow(settingOf(settings, "self_shadow") == "true");

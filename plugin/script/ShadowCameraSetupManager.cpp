@@ -33,6 +33,11 @@ void logScriptError(const std::string& file, unsigned line, const std::string& w
                                               std::to_string(line) + "); the file is left out");
 }
 
+/// Without the byte order mark that some editors begin files with, and OGRE takes for a word.
+std::string withoutMark(const std::string& text) {
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
 Ogre::DataStreamPtr streamOf(const std::string& text, const std::string& name) {
     // It reads from its own copy.
     auto* const stream = new Ogre::MemoryDataStream(name, text.size(), true);
@@ -49,7 +54,7 @@ void clearCompiler(const std::string& group) {
 std::optional<std::string> readScript(const std::string& file, const std::string& group) {
     const Ogre::DataStreamPtr stream =
         Ogre::ResourceGroupManager::getSingleton().openResource(file, group, nullptr, false);
-    return stream ? std::optional(stream->getAsString()) : std::nullopt;
+    return stream ? std::optional(withoutMark(stream->getAsString())) : std::nullopt;
 }
 
 } // namespace
@@ -126,7 +131,7 @@ void ShadowCameraSetupManager::parseScript(Ogre::DataStreamPtr& stream, const Og
 
 std::size_t ShadowCameraSetupManager::readScript(Ogre::DataStream& stream,
                                                  const Ogre::String& group) {
-    const std::string text = stream.getAsString();
+    const std::string text = withoutMark(stream.getAsString());
     const std::string file = stream.getName();
     const auto fault = findScriptFault(text, file, [&](const std::string& imported) {
         return Lixel::readScript(imported, group);
@@ -149,25 +154,42 @@ std::size_t ShadowCameraSetupManager::readScript(Ogre::DataStream& stream,
 }
 
 std::size_t ShadowCameraSetupManager::reload(const Ogre::String& group) {
-    auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    std::vector<std::pair<ShadowPresetPtr, ShadowPreset::State>> before;
+    for (const ShadowPresetPtr& preset : list())
+        before.emplace_back(preset, preset->state());
+    std::size_t errors = readGroup(group);
+    const std::string refusal = useAllAgain();
+    if (refusal.empty()) return errors;
+    // What is right each for itself, and not together.
+    for (const auto& [preset, state] : before)
+        preset->restore(state);
+    useAllAgain();
+    Ogre::LogManager::getSingleton().logError(
+        "Lixel: all shadow_camera_setups stay as they were: " + refusal);
+    return errors + 1;
+}
+
+std::size_t ShadowCameraSetupManager::readGroup(const Ogre::String& group) {
     // From the archives themselves: the group's index has only what was there at its beginning.
+    const Ogre::FileInfoListPtr files =
+        Ogre::ResourceGroupManager::getSingleton().findResourceFileInfo(group, Pattern);
     std::set<std::string> read;
     std::size_t errors = 0;
-    const Ogre::FileInfoListPtr files = groups.findResourceFileInfo(group, Pattern);
     for (const Ogre::FileInfo& file : *files)
         if (read.insert(file.filename).second)
             errors += readScript(*file.archive->open(file.filename), group);
+    return errors;
+}
+
+std::string ShadowCameraSetupManager::useAllAgain() {
     for (const auto& [name, sceneManager] : Ogre::Root::getSingleton().getSceneManagers()) {
         try {
             usePresetsAgain(*sceneManager);
         } catch (const Ogre::Exception& exception) {
-            ++errors;
-            Ogre::LogManager::getSingleton().logError(
-                "Lixel: scene manager '" + name +
-                "' keeps its shadows: " + exception.getDescription());
+            return "in scene manager '" + name + "', " + exception.getDescription();
         }
     }
-    return errors;
+    return {};
 }
 
 Ogre::Resource* ShadowCameraSetupManager::createImpl(const Ogre::String& name,

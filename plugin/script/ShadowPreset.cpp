@@ -101,6 +101,12 @@ ShadowPreset::define(const std::vector<PresetLine>& lines) {
                                          std::string(setting->values));
         }
     }
+    if (settings.contains("slices") && settingOf(settings, "technique") != "Cascades") {
+        const auto line = std::ranges::find(lines, "slices", &PresetLine::keyword);
+        wrong.emplace_back(*line, "slices: only 'technique Cascades' has slices, and this is " +
+                                      settingOf(settings, "technique"));
+        settings.erase("slices");
+    }
     // What they may be is known only now that the technique is.
     std::vector<PresetLine> options;
     const Parts parts(settings);
@@ -121,6 +127,12 @@ ShadowPreset::define(const std::vector<PresetLine>& lines) {
     mOptions = options;
     if (isLoaded()) mSetup = parts.setup;
     return wrong;
+}
+
+void ShadowPreset::restore(const ShadowPreset::State& state) {
+    mSettings = state.settings;
+    mOptions = state.options;
+    mSetup = state.setup;
 }
 
 void ShadowPreset::loadImpl() {

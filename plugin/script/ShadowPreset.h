@@ -67,6 +67,16 @@ public:
         @return what is wrong with which line */
     std::vector<std::pair<PresetLine, std::string>> define(const std::vector<PresetLine>& lines);
 
+    /// What a script has said of it, and the setup made of that.
+    struct State {
+        SettingValues settings;
+        std::vector<PresetLine> options;
+        std::shared_ptr<FittedShadowCameraSetup> setup;
+    };
+    State state() const { return {mSettings, mOptions, mSetup}; }
+    /// Defines it as it was.
+    void restore(const State& state);
+
 protected:
     void loadImpl() override;
     void unloadImpl() override;

@@ -177,15 +177,19 @@ TEST(Presets, ThatContradictOneAnotherAreRefused) {
               "maps: 'A' says 1 and 'C', which is used in the same scene, says 3; OGRE has one for "
               "all lights of a type");
     EXPECT_EQ(refusalOf("C", *scene.lights[2]), "") << "a light of another type";
-    EXPECT_EQ(refusalOf("E", other).substr(0, 38), "caster: there is no material 'My/Missi");
+    EXPECT_EQ(
+        refusalOf("E", other),
+        "caster: there is no material 'My/Missing'; Lixel's are Lixel/Caster (caster_material "
+        "is said by: E; receiver_material by: nobody)");
     // In place of what the light has, it may say otherwise.
     EXPECT_EQ(refusalOf("B", one), "");
     EXPECT_EQ(refusalOf("D", other).substr(0, 30), "maps: 'B' says 1 and 'D', whic");
     other.setVisible(false);
     scene.lights[2]->setCustomShadowCameraSetup({});
     one.setCustomShadowCameraSetup({});
-    EXPECT_EQ(refusalOf("D", one).substr(0, 58),
-              "maps: OGRE reads several maps of a light only under an int")
+    EXPECT_EQ(refusalOf("D", one),
+              "maps: OGRE reads several maps of a light only under an integrated shadow_technique, "
+              "and this is texture_additive; 'D' has 2")
         << "those that were taken off no longer count";
     EXPECT_EQ(refusalOf("C", *scene.stage.sceneManager().createLight()), "");
 }
@@ -231,6 +235,24 @@ TEST(Presets, AreThereAfterTheirGroupWasReadAnew) {
     EXPECT_EQ(differing(scene.draw(), before, 0), 0.0);
     EXPECT_EQ(ShadowCameraSetupManager::getSingleton().reload(Group), 0U);
     EXPECT_GT(differing(scene.draw(), before), 0.0);
+}
+
+TEST(Presets, ThatContradictOneAnotherAfterAnEditStayAsTheyWere) {
+    UnshadowedScene scene("Lixel/Surface/Integrated");
+    const EditedScript script("shadow_camera_setup A\n{\nmap_size 64\n}\n"
+                              "shadow_camera_setup B\n{\nmap_size 64\n}\n");
+    apply("A", *scene.lights[0]);
+    apply("B", *scene.lights[2]);
+    const std::vector<int> before = scene.draw();
+    LogCollector log;
+    EXPECT_EQ(script.edit("shadow_camera_setup A\n{\nmap_size 64\n}\n"
+                          "shadow_camera_setup B\n{\nmap_size 512\n}\n"),
+              1U);
+    EXPECT_EQ(log.count("all shadow_camera_setups stay as they were: in scene manager"), 1U)
+        << log.all();
+    EXPECT_EQ(ShadowCameraSetupManager::getByName("B")->getSetting("map_size"), "64 64");
+    EXPECT_EQ(differing(scene.draw(), before, 0), 0.0);
+    EXPECT_EQ(refusalOf("A", *scene.lights[1]), "");
 }
 
 } // namespace

@@ -177,6 +177,8 @@ const WrongScript WrongScripts[] = {
      "my.shadow(3): technique: 'PSSM' is not one of Uniform, "},
     {"SlicesOfCascades", "shadow_camera_setup Bad\n{\n    slices Cascades\n}\n",
      "my.shadow(3): slices: 'Cascades' is not one of Uniform, "},
+    {"SlicesOfNothing", "shadow_camera_setup Bad\n{\n    slices Uniform\n}\n",
+     "my.shadow(3): slices: only 'technique Cascades' has slices, and this is XPSM"},
     {"NotANumber", "shadow_camera_setup Bad\n{\n    strength much\n}\n",
      "my.shadow(3): strength: 'much' is not a number, at least 0"},
     {"OutOfRange", "shadow_camera_setup Bad\n{\n    epsilon_w 1.5\n}\n",
@@ -253,6 +255,20 @@ TEST(PresetScript, IsReadAgain) {
     EXPECT_EQ(preset("A"), a);
     EXPECT_EQ(a->getSetup()->getParameter("strength"), "3");
     EXPECT_TRUE(preset("New")) << "what is there stays";
+}
+
+TEST(PresetScript, MayBeginWithAByteOrderMark) {
+    ScriptOgre ogre;
+    EXPECT_EQ(errorsOf(ogre, "\xEF\xBB\xBFshadow_camera_setup A\n{\nmaps 2\n}\n"), "");
+    EXPECT_TRUE(preset("A"));
+}
+
+TEST(PresetScript, OfAWrongParentIsSaidOnce) {
+    ScriptOgre ogre;
+    const std::string errors = errorsOf(ogre, "shadow_camera_setup A\n{\nmaps 9\n}\n"
+                                              "shadow_camera_setup B : A\n{\nmap_size 64\n}\n");
+    EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+    EXPECT_EQ(preset("B")->getSetting("map_size"), "64 64");
 }
 
 } // namespace
