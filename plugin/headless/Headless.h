@@ -86,8 +86,8 @@ struct Options {
     The window has the width and height that createRenderWindow is given, within 1 to 16384 pixels,
     and an OpenGL context and a framebuffer of its own. Other parameters can be added, but OSMesa's
     framebuffer has neither multisampling nor gamma correction: render to a texture for these.
-    Ask once for each window: one that is made with parameters already used shares the framebuffer
-    of the window that was drawn last. RenderWindow::resize works. The memory is released when the
+    Ask right before each window is made: one that is made with parameters already used, or asked for
+    before another window was made, shares the framebuffer of the window that was drawn last. RenderWindow::resize works. The memory is released when the
     render systems are, that is with Ogre::Root, not with the window.
 
     Without these parameters (or with `Root::initialise(true)`) createRenderWindow throws.

@@ -95,7 +95,7 @@ public:
     bool setParameter(const Ogre::String& keyword, const Ogre::String& value);
     /// An option's value, as setParameter reads it; empty where there is no such option.
     Ogre::String getParameter(const Ogre::String& keyword) const;
-    /// All options, with what they do and their values.
+    /// All options, by name and type. (OGRE 1.12 keeps no descriptions.)
     const Ogre::ParameterList& getParameters() const;
 
     /// @see CommonOptions::filterRadius

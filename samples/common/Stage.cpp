@@ -82,7 +82,13 @@ void Stage::clear() {
     const Ogre::String type = mSceneManager->getTypeName();
     mWindow->removeAllViewports();
     mRoot->destroySceneManager(mSceneManager);
-    Ogre::MeshManager::getSingleton().removeUnreferencedResources();
+    // All but OGRE's prefabs, which it never makes again.
+    auto& meshes = Ogre::MeshManager::getSingleton();
+    std::vector<Ogre::String> names;
+    for (const auto& [handle, mesh] : meshes.getResourceIterator())
+        if (!mesh->getName().starts_with("Prefab_")) names.push_back(mesh->getName());
+    for (const Ogre::String& name : names)
+        meshes.remove(name, Ogre::RGN_AUTODETECT);
     mSceneManager = mRoot->createSceneManager(type);
     furnish();
 }

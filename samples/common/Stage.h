@@ -52,7 +52,7 @@ public:
     void setShadowMapSize(int texels);
 
     /// Begins anew, with a scene manager of the same type. Its scene, camera, viewport and light go,
-    /// and meshes that nothing else uses.
+    /// and all meshes.
     void clear();
 
     /// Draws one frame; where there is a window, shows it.

@@ -273,6 +273,9 @@ TEST(Options, Cascades) {
           Ogre::ShadowCameraSetupPtr(CascadesShadowCameraSetup::create())})
         EXPECT_NE(refusal([&] { CascadesShadowCameraSetup::create(wrong); }).find("technique"),
                   std::string::npos);
+    setup.setParameter("split_depths", "1 2");
+    setup.setParameter("split_depths", "none");
+    EXPECT_TRUE(setup.getOptions().vsSplitDepths.empty());
 }
 
 TEST(Options, NothingToObserve) {

@@ -139,7 +139,7 @@ std::string describeValues(const Option& option) {
     case OptionType::Plane:
         return "a plane, as the four numbers of nx x + ny y + nz z + d = 0";
     case OptionType::Ascending:
-        return "ascending numbers" + unit + (range.empty() ? "" : ", each ") + range;
+        return "none, or ascending numbers" + unit + (range.empty() ? "" : ", each ") + range;
     }
     return {};
 }
@@ -167,7 +167,9 @@ std::string setOption(const Option& option, void* options, std::string_view text
         memberOf<bool>(option, options) = *flag;
         return {};
     }
-    const auto numbers = numbersIn(text);
+    const bool isNone = option.type == OptionType::Ascending && trimmed(text) == "none";
+    const std::optional<std::vector<double>> numbers =
+        isNone ? std::vector<double>() : numbersIn(text);
     if (!numbers) return refusal(option, text);
     const bool isOne = numbers->size() == 1;
     switch (option.type) {
