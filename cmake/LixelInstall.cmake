@@ -3,6 +3,7 @@
 #   include/Lixel/ROOM/Header.h        the public headers, included as <Lixel/ROOM/Header.h>
 #   lib/libLixel.so                    target Lixel::Lixel
 #   lib/libLixelHeadless.so            target Lixel::Headless
+#   lib/libLixelRTSS.so                target Lixel::RTSS
 #   lib/OGRE/Plugin_Lixel.so           what plugins.cfg names
 #   lib/cmake/Lixel/                   the package's configuration
 #   share/Lixel/materials/             scripts and programs (materials/CMakeLists.txt)
@@ -24,6 +25,10 @@ set_target_properties(Plugin_Lixel PROPERTIES INSTALL_RPATH "$ORIGIN/..")
 
 install(TARGETS Lixel LixelHeadless EXPORT LixelTargets
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+if(LIXEL_BUILD_RTSS)
+  set_target_properties(LixelRTSS PROPERTIES INSTALL_RPATH "$ORIGIN")
+  install(TARGETS LixelRTSS EXPORT LixelTargets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+endif()
 install(TARGETS Plugin_Lixel LIBRARY DESTINATION "${LIXEL_INSTALL_PLUGINS}")
 # What users need, and what these headers include.
 set(public_headers
@@ -55,6 +60,9 @@ set(public_headers
   script/ShadowCameraSetupManager.h
   script/ShadowPreset.h
   headless/Headless.h)
+if(LIXEL_BUILD_RTSS)
+  list(APPEND public_headers rtss/ShaderSystem.h)
+endif()
 # Each technique's options.
 file(GLOB techniques CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/plugin"
   "${PROJECT_SOURCE_DIR}/plugin/fit/technique/*.h")

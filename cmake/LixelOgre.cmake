@@ -104,3 +104,10 @@ macro(lixel_ogre_main)
   lixel_ogre_library(LIXEL_OGRE_MAIN OgreMain)
   lixel_ogre_target(Lixel::OgreMain LIBRARIES "${LIXEL_OGRE_MAIN}" INCLUDES ${OGRE_INCLUDE_DIRS})
 endmacro()
+
+# lixel_ogre_rtss(): the target Lixel::OgreRTShaderSystem.
+macro(lixel_ogre_rtss)
+  lixel_ogre_library(LIXEL_OGRE_RTSS OgreRTShaderSystem)
+  lixel_ogre_target(Lixel::OgreRTShaderSystem
+    LIBRARIES "${LIXEL_OGRE_RTSS}" INCLUDES ${OGRE_INCLUDE_DIRS})
+endmacro()

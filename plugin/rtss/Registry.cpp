@@ -1,0 +1,85 @@
+#include "rtss/Registry.h"
+
+#include "rtss/ShadowFactory.h"
+#include "rtss/ShadowState.h"
+#include "rtss/TakeOff.h"
+
+#include <OgreException.h>
+#include <OgreLogManager.h>
+#include <OgreRoot.h>
+#include <RTShaderSystem/OgreShaderGenerator.h>
+
+namespace Lixel {
+
+using Ogre::RTShader::ShaderGenerator;
+
+Registry& Registry::get() {
+    static Registry& registry = *new Registry;
+    return registry;
+}
+
+Registry::Registry() : mScenes([this] { makeProgramsAnew(); }) {}
+
+void Registry::install(ShaderGenerator& generator) {
+    const auto* const known = generator.getSubRenderStateFactory(ShadowState::Type);
+    if (known != nullptr && known != mFactory)
+        OGRE_EXCEPT(Ogre::Exception::ERR_DUPLICATE_ITEM,
+                    "generator: another copy of libLixelRTSS has installed '" + ShadowState::Type +
+                        "'; link it once, as a shared library",
+                    "ShaderSystem::install");
+    if (mFactory == nullptr) mFactory = new ShadowFactory(*this);
+    if (known == nullptr) {
+        generator.addSubRenderStateFactory(mFactory);
+        mMadeFor.clear();
+    }
+    Ogre::Root::getSingleton().addFrameListener(this); // once, however often it is called
+    watchAll(mScenes);
+}
+
+void Registry::shutdown() {
+    if (ShaderGenerator* const generator = ShaderGenerator::getSingletonPtr();
+        generator != nullptr && mFactory != nullptr &&
+        generator->getSubRenderStateFactory(ShadowState::Type) == mFactory) {
+        takeOffAllStates(*generator, ShadowState::Type);
+        generator->removeSubRenderStateFactory(mFactory);
+    }
+    mScenes.clear();
+    if (Ogre::Root* const root = Ogre::Root::getSingletonPtr()) root->removeFrameListener(this);
+    mMadeFor.clear();
+    mSaid.clear();
+    // States that something else still holds need it.
+    if (mFactory == nullptr || !mFactory->isUnused()) return;
+    delete mFactory;
+    mFactory = nullptr;
+}
+
+void Registry::noteProgram(const Ogre::String& scheme) {
+    mMadeFor.try_emplace(scheme, mScenes.layout());
+}
+
+void Registry::sayOnce(const std::string& message) {
+    if (mSaid.insert(message).second)
+        Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
+}
+
+bool Registry::frameStarted(const Ogre::FrameEvent&) {
+    watchAll(mScenes);
+    return true;
+}
+
+void Registry::makeProgramsAnew() {
+    ShaderGenerator* const generator = ShaderGenerator::getSingletonPtr();
+    if (generator == nullptr) return;
+    std::erase_if(mMadeFor, [&](const auto& scheme) {
+        if (scheme.second == mScenes.layout()) return false;
+        generator->invalidateScheme(scheme.first);
+        return true;
+    });
+}
+
+void Registry::watchAll(AllSceneTextures& scenes) {
+    for (const auto& [name, manager] : Ogre::Root::getSingleton().getSceneManagers())
+        scenes.of(*manager);
+}
+
+} // namespace Lixel

@@ -1,0 +1,85 @@
+#include "rtss/SceneTextures.h"
+
+#include <OgreLight.h>
+
+namespace Lixel {
+
+SceneTextures::SceneTextures(Ogre::SceneManager& manager, AllSceneTextures& all)
+    : mManager(manager), mAll(all), mLayout(layoutOf(manager)) {
+    manager.addListener(this);
+    // This may be in the midst of its frame.
+    dealOut();
+}
+
+SceneTextures::~SceneTextures() {
+    mManager.removeListener(this);
+}
+
+int SceneTextures::firstUnit(const Ogre::Light& light, std::size_t startLight) const {
+    constexpr int None = -1;
+    const auto found = mFirstTextures.find(&light);
+    if (found == mFirstTextures.end()) return None;
+    if (startLight == 0) return static_cast<int>(found->second);
+    if (startLight >= mStarts.size() || found->second < mStarts[startLight]) return None;
+    return static_cast<int>(found->second - mStarts[startLight]);
+}
+
+void SceneTextures::preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) {
+    if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
+    mLayout = layoutOf(mManager);
+    mAll.update();
+    mAll.beginFrame();
+}
+
+void SceneTextures::postFindVisibleObjects(Ogre::SceneManager* source,
+                                           Ogre::SceneManager::IlluminationRenderStage,
+                                           Ogre::Viewport*) {
+    if (source->_getCurrentRenderStage() != Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) dealOut();
+}
+
+void SceneTextures::dealOut() {
+    mFirstTextures.clear();
+    mStarts.clear();
+    std::size_t next = 0;
+    for (const Ogre::Light* light : mManager._getLightsAffectingFrustum()) {
+        if (next >= mLayout.textures) return;
+        if (!light->getCastShadows()) continue;
+        mFirstTextures[light] = next;
+        mStarts.push_back(next);
+        next += mManager.getShadowTextureCountPerLightType(light->getType());
+    }
+}
+
+void SceneTextures::sceneManagerDestroyed(Ogre::SceneManager* source) {
+    AllSceneTextures& all = mAll;
+    all.mScenes.erase(source); // destroys this
+    all.update();
+}
+
+SceneTextures& AllSceneTextures::of(Ogre::SceneManager& manager) {
+    std::unique_ptr<SceneTextures>& scene = mScenes[&manager];
+    if (!scene) {
+        scene = std::make_unique<SceneTextures>(manager, *this);
+        update();
+    }
+    return *scene;
+}
+
+void AllSceneTextures::update() {
+    MapLayout all;
+    for (const auto& [manager, scene] : mScenes)
+        all = joined(all, scene->layout());
+    mIsNew |= all != mLayout;
+    mLayout = all;
+}
+
+void AllSceneTextures::beginFrame() {
+    if (std::exchange(mIsNew, false)) mChanged();
+}
+
+void AllSceneTextures::clear() {
+    mScenes.clear();
+    mLayout = {};
+}
+
+} // namespace Lixel

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "rtss/MapLayout.h"
+#include "rtss/ProgramLights.h"
+#include "rtss/ShaderSystem.h"
+
+#include <RTShaderSystem/OgreShaderSubRenderState.h>
+
+#include <vector>
+
+namespace Lixel {
+
+class Registry;
+
+/// A part of a shader system's programs: shadows each of their lights by its own maps.
+class ShadowState : public Ogre::RTShader::SubRenderState {
+public:
+    static const Ogre::String Type;
+
+    explicit ShadowState(Registry& registry) : mRegistry(registry) {}
+
+    const Ogre::String& getType() const override { return Type; }
+    int getExecutionOrder() const override { return DimmingOrder; }
+    void copyFrom(const SubRenderState& other) override;
+
+    /// Whether a pass casts or receives shadows by this part. Where it could be shadowed and
+    /// cannot, the log says why.
+    bool preAddToRenderState(const Ogre::RTShader::RenderState* renderState, Ogre::Pass* source,
+                             Ogre::Pass* destination) override;
+    bool createCpuSubPrograms(Ogre::RTShader::ProgramSet* programs) override;
+    /// Binds each light's maps, for the lights of the object that is about to be drawn.
+    void updateGpuProgramsParams(Ogre::Renderable* renderable, const Ogre::Pass* pass,
+                                 const Ogre::AutoParamDataSource* source,
+                                 const Ogre::LightList* lights) override;
+
+    /// As by a script: `maps` is its one name, with `auto`, or 1 to MaxMaps.
+    bool setParameter(const Ogre::String& name, const Ogre::String& value) override;
+    using SubRenderState::setParameter;
+
+    const ShaderSystem::Options& options() const { return mOptions; }
+    void setOptions(const ShaderSystem::Options& options) { mOptions = options; }
+
+private:
+    /// What a program has for one light.
+    struct Slot {
+        ProgramLight light;
+        /// Uniforms bound to the light's custom parameters.
+        struct Custom {
+            Ogre::RTShader::UniformParameterPtr uniform;
+            std::size_t parameter;
+        };
+        std::vector<Custom> customs;
+        Ogre::RTShader::UniformParameterPtr firstUnit;
+        /// The light's place in the list for which customs are bound.
+        std::size_t place;
+    };
+    struct Generation;
+
+    bool canReceive(const Ogre::RTShader::RenderState& renderState, const Ogre::Pass& source);
+    void giveCaster(Ogre::RTShader::Program& vertexProgram);
+    std::size_t mapsOf(const ProgramLight& light) const;
+    std::size_t addUnits();
+    void addReceiver(Generation& generation);
+    Ogre::RTShader::ParameterPtr addVisibility(Generation& generation, Slot& slot);
+    std::string materialName() const;
+
+    Registry& mRegistry;
+    ShaderSystem::Options mOptions;
+    /// Alive while programs are made.
+    const Ogre::RTShader::RenderState* mTarget = nullptr;
+    Ogre::Pass* mPass = nullptr;
+    MapLayout mLayout;
+    bool mReceives = false;
+    std::vector<Slot> mSlots;
+};
+
+} // namespace Lixel

@@ -1,0 +1,209 @@
+#include "ShaderSystemScene.h"
+
+#include <Lixel/setup/ShadowCameraSetups.h>
+
+#include <cstdlib>
+#include <ostream>
+
+namespace Lixel::Tests {
+
+using Ogre::RTShader::ShaderGenerator;
+
+Difference differenceOf(const Picture& a, const Picture& b) {
+    constexpr int Tolerance = 4;
+    Difference difference;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const int apart = std::abs(a[i] - b.at(i));
+        difference.greatest = std::max(difference.greatest, apart);
+        count += apart > Tolerance ? 1 : 0;
+    }
+    difference.percent = 100.0 * static_cast<double>(count) / static_cast<double>(a.size());
+    return difference;
+}
+
+std::ostream& operator<<(std::ostream& out, const Difference& difference) {
+    return out << "at most " << difference.greatest << " of 255 apart, " << difference.percent
+               << " % by more than 4";
+}
+
+testing::AssertionResult isSame(const Picture& a, const Picture& b) {
+    const Difference difference = differenceOf(a, b);
+    if (std::getenv("LIXEL_PICTURES") != nullptr) std::cout << difference << '\n';
+    if (difference.greatest <= 8 && difference.percent <= 0.002)
+        return testing::AssertionSuccess() << difference;
+    return testing::AssertionFailure() << difference;
+}
+
+testing::AssertionResult isOther(const Picture& a, const Picture& b) {
+    const Difference difference = differenceOf(a, b);
+    if (difference.percent >= 0.5) return testing::AssertionSuccess() << difference;
+    return testing::AssertionFailure() << difference;
+}
+
+namespace {
+
+/// Where OGRE's library of functions is, and with OGRE 14 its samplers.
+void addLibrary() {
+    auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    for (const char* folder : {"/GLSL", "/HLSL_Cg", ""})
+        groups.addResourceLocation(std::string(OGRE_MEDIA_DIR "/RTShaderLib") + folder,
+                                   "FileSystem", Ogre::RGN_INTERNAL);
+    const Ogre::StringVectorPtr scripts =
+        groups.findResourceNames(Ogre::RGN_INTERNAL, "RTSSamplers.material");
+    for (const Ogre::String& script : *scripts) {
+        Ogre::DataStreamPtr stream = groups.openResource(script, Ogre::RGN_INTERNAL);
+        Ogre::MaterialManager::getSingleton().parseScript(stream, Ogre::RGN_INTERNAL);
+    }
+}
+
+ShaderGenerator& initialised() {
+    addLibrary();
+    if (!ShaderGenerator::initialize()) throw std::runtime_error("no shader generator");
+    return ShaderGenerator::getSingleton();
+}
+
+} // namespace
+
+StartedShaderSystem::StartedShaderSystem() : generator(initialised()) {
+    Ogre::MaterialManager::getSingleton().addListener(this);
+}
+
+StartedShaderSystem::~StartedShaderSystem() {
+    if (ShaderGenerator::getSingletonPtr() == nullptr) return;
+    Ogre::MaterialManager::getSingleton().removeListener(this);
+    // OGRE 14 insists that no material uses it any more.
+    generator.removeAllShaderBasedTechniques();
+    ShaderGenerator::destroy();
+}
+
+Ogre::Technique* StartedShaderSystem::handleSchemeNotFound(unsigned short,
+                                                           const Ogre::String& scheme,
+                                                           Ogre::Material* material, unsigned short,
+                                                           const Ogre::Renderable*) {
+    // Which may be another by now.
+    ShaderGenerator* const current = ShaderGenerator::getSingletonPtr();
+    if (current == nullptr || !current->hasRenderState(scheme) ||
+        !current->createShaderBasedTechnique(material->getTechnique(0), scheme))
+        return nullptr;
+    current->validateMaterial(scheme, material->getName(), material->getGroup());
+    for (Ogre::Technique* technique : material->getTechniques())
+        if (technique->getSchemeName() == scheme) return technique;
+    return nullptr;
+}
+
+ShaderSystemScene::ShaderSystemScene() {
+    manager().setAmbientLight(Ogre::ColourValue::Black);
+    manager().setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    stage.light().setVisible(false);
+    addCube(Ogre::Vector3(5, 1.5F, -3), Ogre::Vector3(2, 3, 2));
+    addCube(Ogre::Vector3(-4, 0.5F, 2), Ogre::Vector3(1, 1, 3));
+    Ogre::MaterialManager::getSingleton().create(Plain, Ogre::RGN_DEFAULT);
+    shaderSystem.generator.addSceneManager(&manager());
+    wear(Plain);
+}
+
+ShaderSystemScene::~ShaderSystemScene() {
+    if (shutsDown) Lixel::ShaderSystem::shutdown();
+}
+
+Ogre::Light& ShaderSystemScene::add(const std::string& name, Ogre::Light::LightTypes type,
+                                    const Ogre::Vector3& position, const Ogre::Vector3& direction) {
+    Ogre::Light* const light = manager().createLight(name);
+    light->setType(type);
+    light->setDiffuseColour(0.3F, 0.3F, 0.3F);
+    light->setSpecularColour(0.3F, 0.3F, 0.3F);
+    light->setAttenuation(100, 1, 0, 0);
+    Ogre::SceneNode* const node = manager().getRootSceneNode()->createChildSceneNode(position);
+    node->attachObject(light);
+    node->setDirection(direction, Ogre::Node::TS_WORLD);
+    return *light;
+}
+
+Ogre::Light& ShaderSystemScene::addSun() {
+    Ogre::Light& sun =
+        add("sun", Ogre::Light::LT_DIRECTIONAL, Ogre::Vector3::ZERO, Ogre::Vector3(-1, -1, 0.2F));
+    sun.setCustomShadowCameraSetup(CascadesShadowCameraSetup::create(
+        XPSMShadowCameraSetup::create(), {.followReceivers = false}));
+    return sun;
+}
+
+Ogre::Light& ShaderSystemScene::addSpot() {
+    Ogre::Light& spot =
+        add("spot", Ogre::Light::LT_SPOTLIGHT, Ogre::Vector3(0, 7, -6), Ogre::Vector3(0, -1, 1));
+    spot.setSpotlightRange(Ogre::Degree(50), Ogre::Degree(60));
+    spot.setCustomShadowCameraSetup(LiSPSMShadowCameraSetup::create());
+    return spot;
+}
+
+Ogre::Light& ShaderSystemScene::addLamp() {
+    Ogre::Light& lamp =
+        add("lamp", Ogre::Light::LT_POINT, Ogre::Vector3(2, 1.5F, 2), Ogre::Vector3(0, 0, -1));
+    lamp.setDiffuseColour(0.4F, 0.3F, 0.1F);
+    lamp.setCustomShadowCameraSetup(UniformShadowCameraSetup::create());
+    return lamp;
+}
+
+void ShaderSystemScene::setMaps(std::size_t sun, std::size_t spot, std::size_t lamp) {
+    manager().setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, sun);
+    manager().setShadowTextureCountPerLightType(Ogre::Light::LT_SPOTLIGHT, spot);
+    manager().setShadowTextureCountPerLightType(Ogre::Light::LT_POINT, lamp);
+    manager().setShadowTextureSettings(512, static_cast<unsigned short>(sun + spot + lamp),
+                                       Ogre::PF_FLOAT32_R);
+}
+
+void ShaderSystemScene::wear(const std::string& material) {
+    for (const auto& [name, object] : manager().getMovableObjects("Entity"))
+        static_cast<Ogre::Entity*>(object)->setMaterialName(material);
+}
+
+Picture ShaderSystemScene::drawAsItIs() {
+    stage.drawFrame();
+    return stage.picture();
+}
+
+Picture ShaderSystemScene::draw() {
+    stage.viewport().setMaterialScheme(StartedShaderSystem::Scheme);
+    return drawAsItIs();
+}
+
+Picture ShaderSystemScene::drawLixels() {
+    stage.viewport().setMaterialScheme(mOwnScheme);
+    std::map<Ogre::Entity*, Ogre::MaterialPtr> worn;
+    for (const auto& [name, object] : manager().getMovableObjects("Entity")) {
+        auto* const entity = static_cast<Ogre::Entity*>(object);
+        worn[entity] = entity->getSubEntity(0)->getMaterial();
+        entity->setMaterialName("Lixel/Surface/Integrated/Maps6");
+    }
+    const Picture picture = drawAsItIs();
+    for (const auto& [entity, material] : worn)
+        entity->setMaterial(material);
+    return picture;
+}
+
+std::size_t ShaderSystemScene::pixelOf(const Ogre::Vector3& ws) {
+    const Ogre::Vector3 ndc =
+        stage.camera().getProjectionMatrix() * (stage.camera().getViewMatrix() * ws);
+    const auto width = static_cast<float>(stage.window().getWidth());
+    const auto height = static_cast<float>(stage.window().getHeight());
+    const auto column = static_cast<std::size_t>((ndc.x + 1) / 2 * width);
+    const auto row = static_cast<std::size_t>((1 - ndc.y) / 2 * height);
+    return 3 * (row * stage.window().getWidth() + column);
+}
+
+void ShaderSystemScene::parse(const std::string& script) {
+    std::string lines;
+    for (const char c : script)
+        lines += c == ';'               ? "\n"
+                 : c == '{' || c == '}' ? std::string("\n") + c + "\n"
+                                        : std::string(1, c);
+    Ogre::DataStreamPtr stream(new Ogre::MemoryDataStream(lines.data(), lines.size()));
+    Ogre::MaterialManager::getSingleton().parseScript(stream, Ogre::RGN_DEFAULT);
+}
+
+void ShaderSystemScene::keepPicture(const std::string& name) {
+    if (const char* folder = std::getenv("LIXEL_PICTURES"))
+        stage.window().writeContentsToFile(std::string(folder) + "/rtss-" + name + ".png");
+}
+
+} // namespace Lixel::Tests
