@@ -159,9 +159,9 @@ bool ShadowState::canReceive(const RenderState& renderState, const Ogre::Pass& s
         return false;
     }
     if (source.getIteratePerLight()) {
-        mRegistry.sayOnce("nothing casts shadows on material " + materialName() +
-                          ", which has a pass that is drawn once for each light: take its "
-                          "`iteration` out; the shader system lights a pass by all lights at once");
+        mUnsaid = "nothing casts shadows on material " + materialName() +
+                  ", which has a pass that is drawn once for each light: take its `iteration` out; "
+                  "the shader system lights a pass by all lights at once";
         return false;
     }
     return true;
@@ -186,12 +186,12 @@ std::size_t ShadowState::addUnits() {
     const std::size_t free = greatestUnits() - std::min(used, greatestUnits());
     const std::size_t units = std::min(mLayout.textures, free);
     if (units < mLayout.textures)
-        mRegistry.sayOnce("material " + materialName() + " has " + std::to_string(used) +
-                          " textures, which leaves units for " + std::to_string(units) + " of " +
-                          std::to_string(mLayout.textures) +
-                          " shadow maps: what only the others show in shadow is lit. Give lights "
-                          "fewer maps (SceneManager::setShadowTextureCountPerLightType), or the "
-                          "material fewer textures");
+        mUnsaid = "material " + materialName() + " has " + std::to_string(used) +
+                  " textures, which leaves units for " + std::to_string(units) + " of " +
+                  std::to_string(mLayout.textures) +
+                  " shadow maps: what only the others show in shadow is lit. Give lights "
+                  "fewer maps (SceneManager::setShadowTextureCountPerLightType), or the "
+                  "material fewer textures";
     for (std::size_t i = 0; i < units; ++i) {
         Ogre::TextureUnitState& unit = *mPass->createTextureUnitState();
         unit.setContentType(Ogre::TextureUnitState::CONTENT_SHADOW);
@@ -212,9 +212,9 @@ bool ShadowState::createCpuSubPrograms(ProgramSet* programs) {
     if (!mReceives) return true;
     const std::vector<ProgramLight> lights = lightsIn(generation.pixel, *mTarget);
     if (lights.empty()) {
-        mRegistry.sayOnce("nothing casts shadows on material " + materialName() +
-                          ", which is lit per vertex: say `lighting_stage per_pixel` in its "
-                          "rtshader_system, in place of `ffp`");
+        mUnsaid = "nothing casts shadows on material " + materialName() +
+                  ", which is lit per vertex: say `lighting_stage per_pixel` in its "
+                  "rtshader_system, in place of `ffp`";
         return true;
     }
     const std::size_t units = addUnits();
@@ -305,6 +305,7 @@ ParameterPtr ShadowState::addVisibility(Generation& generation, Slot& slot) {
 void ShadowState::updateGpuProgramsParams(Ogre::Renderable*, const Ogre::Pass* pass,
                                           const Ogre::AutoParamDataSource*,
                                           const Ogre::LightList* lights) {
+    if (!mUnsaid.empty()) mRegistry.sayOnce(std::exchange(mUnsaid, {}));
     Ogre::SceneManager* const manager = ShaderGenerator::getSingleton().getActiveSceneManager();
     if (mSlots.empty() || manager == nullptr || lights == nullptr) return;
     const SceneTextures& textures = mRegistry.scenes().of(*manager);

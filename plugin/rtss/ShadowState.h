@@ -6,6 +6,7 @@
 
 #include <RTShaderSystem/OgreShaderSubRenderState.h>
 
+#include <string>
 #include <vector>
 
 namespace Lixel {
@@ -71,6 +72,9 @@ private:
     Ogre::Pass* mPass = nullptr;
     MapLayout mLayout;
     bool mReceives = false;
+    /// Why the material is not shadowed as it should be: said once it is drawn, since programs are
+    /// made for materials that never are.
+    std::string mUnsaid;
     std::vector<Slot> mSlots;
 };
 
