@@ -74,7 +74,8 @@ endforeach()
 
 # What to read, and a whole program.
 foreach(document README.md materials/README.md tests/install/application/main.cpp
-    tests/install/application/CMakeLists.txt)
+    tests/install/application/CMakeLists.txt tests/install/shader_system/main.cpp
+    tests/install/shader_system/CMakeLists.txt)
   get_filename_component(folder "${document}" DIRECTORY)
   install(FILES "${PROJECT_SOURCE_DIR}/${document}"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/Lixel/${folder}")

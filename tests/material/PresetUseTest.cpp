@@ -255,5 +255,32 @@ TEST(Presets, ThatContradictOneAnotherAfterAnEditStayAsTheyWere) {
     EXPECT_EQ(refusalOf("A", *scene.lights[1]), "");
 }
 
+/// With an error in every third edit: each frame shows the last one that was right.
+TEST(Presets, MayBeReloadedAHundredTimes) {
+    UnshadowedScene scene("Lixel/Surface/Integrated/Maps3");
+    const std::string fine = "shadow_camera_setup A\n{\ntechnique Uniform\nmap_size 512\n}\n";
+    const std::string coarse = "shadow_camera_setup A\n{\ntechnique Cascades\nslices Uniform\n"
+                               "follow_receivers off\nmap_size 32\n}\n";
+    const EditedScript script(fine);
+    apply("A", *scene.lights.front());
+    const std::vector<int> finePicture = scene.draw();
+    EXPECT_EQ(script.edit(coarse), 0U);
+    const std::vector<int> coarsePicture = scene.draw();
+    EXPECT_GT(differing(finePicture, coarsePicture), 0.0);
+    bool isFine = false;
+    for (int edit = 0; edit < 100; ++edit) {
+        if (edit % 3 == 2) {
+            EXPECT_EQ(script.edit(edit % 2 == 0 ? "shadow_camera_setup A\n{\nmaps 99\n}\n"
+                                                : "shadow_camera_setup A\n{\nmaps 1\n"),
+                      1U);
+        } else {
+            isFine = !isFine;
+            EXPECT_EQ(script.edit(isFine ? fine : coarse), 0U);
+        }
+        ASSERT_EQ(differing(scene.draw(), isFine ? finePicture : coarsePicture, 0), 0.0)
+            << "after edit " << edit;
+    }
+}
+
 } // namespace
 } // namespace Lixel::Tests
