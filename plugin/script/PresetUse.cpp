@@ -223,7 +223,6 @@ void giveTo(const Use& use, Ogre::SceneManager& sceneManager) {
         if (!distance.empty()) sceneManager.setShadowFarDistance(std::stof(distance));
     } else {
         use.light->setCustomShadowCameraSetup(setup);
-        use.light->setCastShadows(true);
         if (!distance.empty()) use.light->setShadowFarDistance(std::stof(distance));
     }
     bindingsOf(sceneManager, use.light)
@@ -271,6 +270,8 @@ void usePreset(ShadowPreset& preset, Ogre::SceneManager& sceneManager, Ogre::Lig
     std::erase_if(uses, [&](const Use& use) { return use.light == light; });
     uses.insert(light == nullptr ? uses.begin() : uses.end(), Use{&preset, light});
     give(uses, sceneManager);
+    // Not in usePresetsAgain: an application may have switched its shadows off meanwhile.
+    if (light != nullptr) light->setCastShadows(true);
 }
 
 void usePresetsAgain(Ogre::SceneManager& sceneManager) {

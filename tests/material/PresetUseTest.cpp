@@ -216,6 +216,10 @@ TEST(Presets, FollowTheirScript) {
     EXPECT_EQ(differing(scene.draw(), fine, 0), 0.0);
 
     // What an application takes off stays off.
+    sun.setCastShadows(false);
+    EXPECT_EQ(script.edit("shadow_camera_setup A\n{\ntechnique XPSM\nmap_size 512\n}\n"), 0U);
+    EXPECT_FALSE(sun.getCastShadows());
+    sun.setCastShadows(true);
     sun.setCustomShadowCameraSetup(XPSMShadowCameraSetup::create());
     EXPECT_EQ(script.edit("shadow_camera_setup A\n{\ntechnique Uniform\nmap_size 32\n}\n"), 0U);
     EXPECT_TRUE(std::dynamic_pointer_cast<XPSMShadowCameraSetup>(sun.getCustomShadowCameraSetup()));
