@@ -1,11 +1,11 @@
 #include "Plugin.h"
 
 #include <Lixel/material/ShadowParameters.h>
+#include <Lixel/scene/Log.h>
 #include <Lixel/script/ShadowCameraSetupManager.h>
 #include <Lixel/setup/Detach.h>
 #include <Lixel/setup/LightGuard.h>
 
-#include <OgreLogManager.h>
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
 
@@ -51,9 +51,8 @@ unsigned loads = 0;
 
 extern "C" __attribute__((visibility("default"))) void dllStartPlugin() {
     if (loads++ > 0) {
-        Ogre::LogManager::getSingleton().logWarning("Lixel: Plugin_Lixel is loaded already, maybe "
-                                                    "by plugins.cfg and by another spelling of "
-                                                    "its path; it stays installed once");
+        Lixel::logWarning("Plugin_Lixel is loaded already, maybe by plugins.cfg and by another "
+                          "spelling of its path; it stays installed once");
         return;
     }
     thePlugin = std::make_unique<Lixel::Plugin>();

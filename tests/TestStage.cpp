@@ -77,14 +77,26 @@ Samples::ClassificationError BoxOnGround::nextFrameError() {
                                  static_cast<double>(stage.sceneManager().getShadowFarDistance()));
 }
 
+Ogre::Vector2 BoxOnGround::pictureOf(const Ogre::Vector3& ws) {
+    const Ogre::Vector3 ndc =
+        stage.camera().getProjectionMatrix() * (stage.camera().getViewMatrix() * ws);
+    return {(ndc.x + 1) / 2 * static_cast<float>(stage.window().getWidth()),
+            (1 - ndc.y) / 2 * static_cast<float>(stage.window().getHeight())};
+}
+
+std::size_t BoxOnGround::pixelOf(const Ogre::Vector3& ws) {
+    const Ogre::Vector2 place = pictureOf(ws);
+    return static_cast<std::size_t>(place.y) * stage.window().getWidth() +
+           static_cast<std::size_t>(place.x);
+}
+
 int BoxOnGround::visibilityAt(const Ogre::Vector3& world) {
     const std::vector<std::uint8_t> visibility = stage.drawVisibility();
-    const Ogre::Vector3 ndc =
-        stage.camera().getProjectionMatrix() * (stage.camera().getViewMatrix() * world);
+    const Ogre::Vector2 place = pictureOf(world);
+    const int column = static_cast<int>(place.x);
+    const int row = static_cast<int>(place.y);
     const int width = static_cast<int>(stage.window().getWidth());
     const int height = static_cast<int>(stage.window().getHeight());
-    const int column = static_cast<int>((ndc.x + 1) / 2 * static_cast<float>(width));
-    const int row = static_cast<int>((1 - ndc.y) / 2 * static_cast<float>(height));
     if (column < 0 || column >= width || row < 0 || row >= height) return -1;
     return visibility[static_cast<std::size_t>(row * width + column)];
 }

@@ -44,10 +44,15 @@ public:
     Ogre::SceneNode* addCube(const Ogre::Vector3& position, const Ogre::Vector3& size);
     /// Error of the next frame in percent, against the oracle on the scene as it is now.
     Samples::ClassificationError nextFrameError();
+    /// The pixel that shows a world point, counted row by row from the top.
+    std::size_t pixelOf(const Ogre::Vector3& ws);
     /// The pixel's visibility, 0 to 255, in the next frame, at a world point.
     int visibilityAt(const Ogre::Vector3& world);
 
 private:
+    /// Column and row of a world point in the picture, maybe outside of it.
+    Ogre::Vector2 pictureOf(const Ogre::Vector3& ws);
+
     int mCubes = 0;
 };
 

@@ -45,12 +45,6 @@ bool takesMatrixOfInstance(Function& main) {
     return false;
 }
 
-/// Whether the plugin has made the set that tells casters their depth.
-bool hasSharedParameters() {
-    return Ogre::GpuProgramManager::getSingleton().getAvailableSharedParameters().count(
-               PlainCaster) > 0;
-}
-
 /// The vertex program, of this name and in this group.
 void makeProgram(const std::string& name, const Ogre::String& group, const Placing& placing) {
     const auto program = Ogre::HighLevelGpuProgramManager::getSingleton().createProgram(
@@ -70,6 +64,11 @@ void makeProgram(const std::string& name, const Ogre::String& group, const Placi
 }
 
 } // namespace
+
+bool tellsCastersTheirDepth() {
+    return Ogre::GpuProgramManager::getSingleton().getAvailableSharedParameters().count(
+               PlainCaster) > 0;
+}
 
 Placing placingOf(Program& vertexProgram) {
     Function& main = *vertexProgram.getMain();
@@ -93,7 +92,7 @@ Ogre::MaterialPtr casterFor(const Placing& placing) {
                                     std::to_string(placing.weights)
                               : std::string("/Instances"));
     const Ogre::MaterialPtr plain = materials.getByName(PlainCaster);
-    if (!plain || !hasSharedParameters()) return {};
+    if (!plain || !tellsCastersTheirDepth()) return {};
     if (Ogre::MaterialPtr made = materials.getByName(name, plain->getGroup())) return made;
     const std::string program = ProgramPrefix + name;
     makeProgram(program, plain->getGroup(), placing);

@@ -20,6 +20,9 @@ struct Placing {
     bool isInstanced = false;
 };
 
+/// Whether the plugin has made the set of parameters that tells casters their depth.
+bool tellsCastersTheirDepth();
+
 Placing placingOf(Ogre::RTShader::Program& vertexProgram);
 
 /// A caster that places vertices alike, made of Lixel/Caster the first time. Null where that does,

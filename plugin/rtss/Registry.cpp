@@ -4,8 +4,9 @@
 #include "rtss/ShadowState.h"
 #include "rtss/TakeOff.h"
 
+#include <Lixel/scene/Log.h>
+
 #include <OgreException.h>
-#include <OgreLogManager.h>
 #include <OgreRoot.h>
 #include <RTShaderSystem/OgreShaderGenerator.h>
 
@@ -58,8 +59,7 @@ void Registry::noteProgram(const Ogre::String& scheme) {
 }
 
 void Registry::sayOnce(const std::string& message) {
-    if (mSaid.insert(message).second)
-        Ogre::LogManager::getSingleton().logWarning("Lixel: " + message);
+    if (mSaid.insert(message).second) logWarning(message);
 }
 
 bool Registry::frameStarted(const Ogre::FrameEvent&) {

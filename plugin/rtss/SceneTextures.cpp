@@ -6,13 +6,8 @@ namespace Lixel {
 
 SceneTextures::SceneTextures(Ogre::SceneManager& manager, AllSceneTextures& all)
     : mManager(manager), mAll(all), mLayout(layoutOf(manager)) {
-    manager.addListener(this);
     // This may be in the midst of its frame.
     dealOut();
-}
-
-SceneTextures::~SceneTextures() {
-    mManager.removeListener(this);
 }
 
 int SceneTextures::firstUnit(const Ogre::Light& light, std::size_t startLight) const {
@@ -50,25 +45,17 @@ void SceneTextures::dealOut() {
     }
 }
 
-void SceneTextures::sceneManagerDestroyed(Ogre::SceneManager* source) {
-    AllSceneTextures& all = mAll;
-    all.mScenes.erase(source); // destroys this
-    all.update();
-}
-
 SceneTextures& AllSceneTextures::of(Ogre::SceneManager& manager) {
-    std::unique_ptr<SceneTextures>& scene = mScenes[&manager];
-    if (!scene) {
-        scene = std::make_unique<SceneTextures>(manager, *this);
-        update();
-    }
-    return *scene;
+    const auto [scene, isNew] = mScenes.of(manager, manager, *this);
+    if (isNew) update();
+    return scene;
 }
 
 void AllSceneTextures::update() {
     MapLayout all;
-    for (const auto& [manager, scene] : mScenes)
-        all = joined(all, scene->layout());
+    mScenes.forEach([&](Ogre::SceneManager&, const SceneTextures& scene) {
+        all = joined(all, scene.layout());
+    });
     mIsNew |= all != mLayout;
     mLayout = all;
 }

@@ -2,11 +2,10 @@
 
 #include "rtss/MapLayout.h"
 
-#include <OgreSceneManager.h>
+#include <Lixel/scene/PerScene.h>
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -19,10 +18,9 @@ class AllSceneTextures;
     OGRE deals them out in the order of the lights that cast shadows here, and gives the k-th
     texture to the k-th unit of content_type shadow, whatever is drawn.
 */
-class SceneTextures : public Ogre::SceneManager::Listener {
+class SceneTextures : public SceneManagerListener {
 public:
     SceneTextures(Ogre::SceneManager& manager, AllSceneTextures& all);
-    ~SceneTextures() override;
 
     const MapLayout& layout() const { return mLayout; }
 
@@ -34,7 +32,6 @@ public:
     void postFindVisibleObjects(Ogre::SceneManager* source,
                                 Ogre::SceneManager::IlluminationRenderStage stage,
                                 Ogre::Viewport* viewport) override;
-    void sceneManagerDestroyed(Ogre::SceneManager* source) override;
 
 private:
     void dealOut();
@@ -67,7 +64,7 @@ private:
     void beginFrame();
 
     std::function<void()> mChanged;
-    std::map<const Ogre::SceneManager*, std::unique_ptr<SceneTextures>> mScenes;
+    PerScene<SceneTextures> mScenes;
     MapLayout mLayout;
     bool mIsNew = false;
 };

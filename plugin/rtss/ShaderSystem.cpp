@@ -4,6 +4,8 @@
 #include "rtss/ShadowState.h"
 #include "rtss/TakeOff.h"
 
+#include <Lixel/scene/NameList.h>
+
 #include <OgreException.h>
 #include <RTShaderSystem/OgreShaderGenerator.h>
 #include <RTShaderSystem/OgreShaderRenderState.h>
@@ -22,12 +24,10 @@ Ogre::String find(const ShaderGenerator& generator, const Ogre::String& scheme,
                   const char* function) {
     const Ogre::String& name = scheme.empty() ? ShaderGenerator::DEFAULT_SCHEME_NAME : scheme;
     if (generator.hasRenderState(name)) return name;
-    std::string known;
-    for (std::size_t i = 0; i < generator.getRTShaderSchemeCount(); ++i)
-        known += (i == 0 ? "" : ", ") + generator.getRTShaderScheme(i);
     OGRE_EXCEPT(Ogre::Exception::ERR_ITEM_NOT_FOUND,
                 "scheme: the shader generator has none of the name '" + name + "'; it has " +
-                    known + ", and ShaderGenerator::createScheme makes others",
+                    joinNames(schemesOf(generator)) +
+                    ", and ShaderGenerator::createScheme makes others",
                 function);
 }
 

@@ -5,7 +5,6 @@
 
 #include <Lixel/material/ShadowParameters.h>
 
-#include <OgreGpuProgramManager.h>
 #include <OgreMaterial.h>
 #include <OgrePass.h>
 #include <OgreRenderSystem.h>
@@ -74,9 +73,8 @@ std::string whatKeepsFromShadowing() {
     if (!Ogre::ResourceGroupManager::getSingleton().resourceExistsInAnyGroup(file))
         return "there is no " + file +
                "; add Lixel's folder materials/programs/glsl to the resource group General";
-    // The plugin makes this set, and tells lights where their maps are.
-    if (Ogre::GpuProgramManager::getSingleton().getAvailableSharedParameters().count(
-            "Lixel/Caster") == 0)
+    // Whoever does that also tells lights where their maps are.
+    if (!tellsCastersTheirDepth())
         return "Plugin_Lixel was not loaded before resource groups were initialised";
     return {};
 }

@@ -7,7 +7,6 @@
 #include <RTShaderSystem/OgreShaderRenderState.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace Lixel {
 
@@ -17,13 +16,6 @@ using Ogre::RTShader::SubRenderState;
 
 namespace {
 
-std::vector<Ogre::String> schemesOf(const ShaderGenerator& generator) {
-    std::vector<Ogre::String> schemes;
-    for (std::size_t i = 0; i < generator.getRTShaderSchemeCount(); ++i)
-        schemes.push_back(generator.getRTShaderScheme(i));
-    return schemes;
-}
-
 std::size_t mostPasses(const Ogre::Material& material) {
     std::size_t most = 0;
     for (const Ogre::Technique* technique : material.getTechniques())
@@ -32,6 +24,13 @@ std::size_t mostPasses(const Ogre::Material& material) {
 }
 
 } // namespace
+
+std::vector<Ogre::String> schemesOf(const ShaderGenerator& generator) {
+    std::vector<Ogre::String> schemes;
+    for (std::size_t i = 0; i < generator.getRTShaderSchemeCount(); ++i)
+        schemes.push_back(generator.getRTShaderScheme(i));
+    return schemes;
+}
 
 bool takeOff(RenderState& state, const Ogre::String& type) {
     const auto& all = state.getSubRenderStates();

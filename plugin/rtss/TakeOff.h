@@ -2,12 +2,17 @@
 
 #include <OgrePrerequisites.h>
 
+#include <vector>
+
 namespace Ogre::RTShader {
 class RenderState;
 class ShaderGenerator;
 } // namespace Ogre::RTShader
 
 namespace Lixel {
+
+/// Names of all schemes that a generator has.
+std::vector<Ogre::String> schemesOf(const Ogre::RTShader::ShaderGenerator& generator);
 
 /// Takes one type of sub-render state out of all schemes and materials, and off all programs, which
 /// the generator makes anew when they are next drawn.

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "fit/geometry/Types.h"
+
 #include <string>
 
 namespace Lixel {
 
 /// Writes a warning to OGRE's log, as Lixel's.
-void logWarning(const std::string& message);
+LIXEL_API void logWarning(const std::string& message);
 
 } // namespace Lixel

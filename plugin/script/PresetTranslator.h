@@ -25,7 +25,7 @@ private:
     /// Presets that it has defined so far.
     std::set<std::string> mDefined;
     std::size_t mErrors = 0;
-    /// What was said of which line: whoever inherits it has it too.
+    /// Errors that were said, each with its line: a setup that inherits a wrong line has the same.
     std::set<std::pair<unsigned, std::string>> mSaid;
 };
 

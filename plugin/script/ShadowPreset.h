@@ -62,8 +62,8 @@ public:
     /// What the script says of settings, and nothing else.
     const SettingValues& getSettings() const { return mSettings; }
 
-    /** Defines it by lines of a script, of which the last one of a keyword counts. The first time lines
-        that are wrong are left out; later, nothing changes where one is wrong.
+    /** Defines it by lines of a script. Of two with one keyword the later one counts. The first
+        definition leaves out lines that are wrong; another one changes nothing where one is wrong.
         @return what is wrong with which line */
     std::vector<std::pair<PresetLine, std::string>> define(const std::vector<PresetLine>& lines);
 

@@ -11,7 +11,7 @@ namespace {
 
 enum class Cut { None, Tested, Blended };
 
-/// Four columns, of which every other one is a hole.
+/// Four columns: the second and the fourth are holes.
 Ogre::TexturePtr bars() {
     const Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
         "Bars", Ogre::RGN_DEFAULT, Ogre::TEX_TYPE_2D, 4, 1, 0, Ogre::PF_BYTE_RGBA);

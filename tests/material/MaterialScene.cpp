@@ -63,16 +63,6 @@ std::vector<int> MaterialScene::draw() {
     return red;
 }
 
-std::size_t MaterialScene::pixelOf(const Ogre::Vector3& ws) {
-    const Ogre::Vector3 ndc =
-        stage.camera().getProjectionMatrix() * (stage.camera().getViewMatrix() * ws);
-    const auto width = static_cast<float>(stage.window().getWidth());
-    const auto height = static_cast<float>(stage.window().getHeight());
-    const auto column = static_cast<std::size_t>((ndc.x + 1) / 2 * width);
-    const auto row = static_cast<std::size_t>((1 - ndc.y) / 2 * height);
-    return row * stage.window().getWidth() + column;
-}
-
 void MaterialScene::keepPicture(const std::string& name) {
     if (const char* folder = std::getenv("LIXEL_PICTURES"))
         stage.window().writeContentsToFile(std::string(folder) + "/" + name + ".png");

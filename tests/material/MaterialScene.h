@@ -22,8 +22,6 @@ public:
     void wear(const std::string& material);
     /// The next frame's red channel, row by row from the top.
     std::vector<int> draw();
-    /// Of the frame that draw() drew last, or of another: the pixel that shows a world point.
-    std::size_t pixelOf(const Ogre::Vector3& ws);
     /// Writes the last frame where the environment's LIXEL_PICTURES names a folder, to be looked
     /// at.
     void keepPicture(const std::string& name);

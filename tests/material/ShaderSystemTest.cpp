@@ -1,10 +1,9 @@
 // Lixel's setups under the programs that OGRE's shader system makes for fixed-function materials.
 
 #include "MaterialScene.h"
+#include "StartedShaderSystem.h"
 
 #include <Lixel/setup/ShadowCameraSetups.h>
-
-#include <RTShaderSystem/OgreRTShaderSystem.h>
 
 #include <optional>
 
@@ -14,46 +13,11 @@ namespace {
 using Ogre::RTShader::ShaderGenerator;
 
 /// OGRE's shader system, for the scene's viewport; it has to go before Root.
-class ShaderSystem : public Ogre::MaterialManager::Listener {
+class ShaderSystem : public StartedShaderSystem {
 public:
     explicit ShaderSystem(MaterialScene& scene) {
-        auto& groups = Ogre::ResourceGroupManager::getSingleton();
-        for (const char* folder : {"/GLSL", "/HLSL_Cg", ""})
-            groups.addResourceLocation(std::string(OGRE_MEDIA_DIR "/RTShaderLib") + folder,
-                                       "FileSystem", Ogre::RGN_INTERNAL);
-        // Since 14 its samplers are in a script, and the group is initialised already.
-        const Ogre::StringVectorPtr scripts =
-            groups.findResourceNames(Ogre::RGN_INTERNAL, "RTSSamplers.material");
-        for (const Ogre::String& script : *scripts) {
-            Ogre::DataStreamPtr stream = groups.openResource(script, Ogre::RGN_INTERNAL);
-            Ogre::MaterialManager::getSingleton().parseScript(stream, Ogre::RGN_INTERNAL);
-        }
-        if (!ShaderGenerator::initialize()) throw std::runtime_error("no shader generator");
-        ShaderGenerator& generator = ShaderGenerator::getSingleton();
         generator.addSceneManager(&scene.stage.sceneManager());
         scene.stage.viewport().setMaterialScheme(Scheme);
-        Ogre::MaterialManager::getSingleton().addListener(this);
-    }
-    ~ShaderSystem() override {
-        Ogre::MaterialManager::getSingleton().removeListener(this);
-        // OGRE 14 insists that no material uses it any more.
-        ShaderGenerator::getSingleton().removeAllShaderBasedTechniques();
-        ShaderGenerator::destroy();
-    }
-    ShaderSystem(const ShaderSystem&) = delete;
-    ShaderSystem& operator=(const ShaderSystem&) = delete;
-
-    Ogre::Technique* handleSchemeNotFound(unsigned short, const Ogre::String& scheme,
-                                          Ogre::Material* material, unsigned short,
-                                          const Ogre::Renderable*) override {
-        ShaderGenerator& generator = ShaderGenerator::getSingleton();
-        if (scheme != Scheme ||
-            !generator.createShaderBasedTechnique(material->getTechnique(0), scheme))
-            return nullptr;
-        generator.validateMaterial(scheme, material->getName(), material->getGroup());
-        for (Ogre::Technique* technique : material->getTechniques())
-            if (technique->getSchemeName() == scheme) return technique;
-        return nullptr;
     }
 
     /// Passes that OGRE splits for additive shadows, which have to be given programs too.
@@ -83,8 +47,6 @@ public:
 #endif
         generator.getRenderState(Scheme)->addTemplateSubRenderState(pssm);
     }
-
-    static constexpr const char* Scheme = "ShaderGeneratorDefaultScheme";
 };
 
 /// Where it is dark: less than half as bright as the sunlit ground.

@@ -7,8 +7,6 @@
 
 namespace Lixel::Tests {
 
-using Ogre::RTShader::ShaderGenerator;
-
 Difference differenceOf(const Picture& a, const Picture& b) {
     constexpr int Tolerance = 4;
     Difference difference;
@@ -39,57 +37,6 @@ testing::AssertionResult isOther(const Picture& a, const Picture& b) {
     const Difference difference = differenceOf(a, b);
     if (difference.percent >= 0.5) return testing::AssertionSuccess() << difference;
     return testing::AssertionFailure() << difference;
-}
-
-namespace {
-
-/// Where OGRE's library of functions is, and with OGRE 14 its samplers.
-void addLibrary() {
-    auto& groups = Ogre::ResourceGroupManager::getSingleton();
-    for (const char* folder : {"/GLSL", "/HLSL_Cg", ""})
-        groups.addResourceLocation(std::string(OGRE_MEDIA_DIR "/RTShaderLib") + folder,
-                                   "FileSystem", Ogre::RGN_INTERNAL);
-    const Ogre::StringVectorPtr scripts =
-        groups.findResourceNames(Ogre::RGN_INTERNAL, "RTSSamplers.material");
-    for (const Ogre::String& script : *scripts) {
-        Ogre::DataStreamPtr stream = groups.openResource(script, Ogre::RGN_INTERNAL);
-        Ogre::MaterialManager::getSingleton().parseScript(stream, Ogre::RGN_INTERNAL);
-    }
-}
-
-ShaderGenerator& initialised() {
-    addLibrary();
-    if (!ShaderGenerator::initialize()) throw std::runtime_error("no shader generator");
-    return ShaderGenerator::getSingleton();
-}
-
-} // namespace
-
-StartedShaderSystem::StartedShaderSystem() : generator(initialised()) {
-    Ogre::MaterialManager::getSingleton().addListener(this);
-}
-
-StartedShaderSystem::~StartedShaderSystem() {
-    if (ShaderGenerator::getSingletonPtr() == nullptr) return;
-    Ogre::MaterialManager::getSingleton().removeListener(this);
-    // OGRE 14 insists that no material uses it any more.
-    generator.removeAllShaderBasedTechniques();
-    ShaderGenerator::destroy();
-}
-
-Ogre::Technique* StartedShaderSystem::handleSchemeNotFound(unsigned short,
-                                                           const Ogre::String& scheme,
-                                                           Ogre::Material* material, unsigned short,
-                                                           const Ogre::Renderable*) {
-    // Which may be another by now.
-    ShaderGenerator* const current = ShaderGenerator::getSingletonPtr();
-    if (current == nullptr || !current->hasRenderState(scheme) ||
-        !current->createShaderBasedTechnique(material->getTechnique(0), scheme))
-        return nullptr;
-    current->validateMaterial(scheme, material->getName(), material->getGroup());
-    for (Ogre::Technique* technique : material->getTechniques())
-        if (technique->getSchemeName() == scheme) return technique;
-    return nullptr;
 }
 
 ShaderSystemScene::ShaderSystemScene() {
@@ -179,16 +126,6 @@ Picture ShaderSystemScene::drawLixels() {
     for (const auto& [entity, material] : worn)
         entity->setMaterial(material);
     return picture;
-}
-
-std::size_t ShaderSystemScene::pixelOf(const Ogre::Vector3& ws) {
-    const Ogre::Vector3 ndc =
-        stage.camera().getProjectionMatrix() * (stage.camera().getViewMatrix() * ws);
-    const auto width = static_cast<float>(stage.window().getWidth());
-    const auto height = static_cast<float>(stage.window().getHeight());
-    const auto column = static_cast<std::size_t>((ndc.x + 1) / 2 * width);
-    const auto row = static_cast<std::size_t>((1 - ndc.y) / 2 * height);
-    return 3 * (row * stage.window().getWidth() + column);
 }
 
 void ShaderSystemScene::parse(const std::string& script) {

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "StartedShaderSystem.h"
 #include "TestStage.h"
 
 #include <Lixel/rtss/ShaderSystem.h>
-
-#include <RTShaderSystem/OgreRTShaderSystem.h>
 
 #include <string>
 #include <vector>
@@ -27,24 +26,6 @@ std::ostream& operator<<(std::ostream& out, const Difference& difference);
 testing::AssertionResult isSame(const Picture& a, const Picture& b);
 /// At least half a percent of the channels differs: what was compared is no empty picture.
 testing::AssertionResult isOther(const Picture& a, const Picture& b);
-
-/// OGRE's shader system for one scheme, which draws materials that have none for it, as an
-/// application runs it.
-class StartedShaderSystem : public Ogre::MaterialManager::Listener {
-public:
-    StartedShaderSystem();
-    ~StartedShaderSystem() override;
-    StartedShaderSystem(const StartedShaderSystem&) = delete;
-    StartedShaderSystem& operator=(const StartedShaderSystem&) = delete;
-
-    Ogre::RTShader::ShaderGenerator& generator;
-
-    Ogre::Technique* handleSchemeNotFound(unsigned short index, const Ogre::String& scheme,
-                                          Ogre::Material* material, unsigned short lod,
-                                          const Ogre::Renderable* renderable) override;
-
-    static constexpr const char* Scheme = "ShaderGeneratorDefaultScheme";
-};
 
 /** BoxOnGround with two more boxes, under an integrated technique, without any light at first.
 
@@ -76,7 +57,7 @@ public:
     /// The next frame, however the viewport is set up.
     Picture drawAsItIs();
     /// Where a picture shows a world point: the index of its red.
-    std::size_t pixelOf(const Ogre::Vector3& ws);
+    std::size_t redOf(const Ogre::Vector3& ws) { return 3 * pixelOf(ws); }
     /// Adds materials. Each brace and each `;` of the script stands for a line.
     static void parse(const std::string& script);
     /// Writes the last frame where the environment's LIXEL_PICTURES names a folder.

@@ -14,6 +14,16 @@
 namespace Lixel::Tests {
 namespace {
 
+/// With the first render system there is.
+Ogre::RenderWindow* openWindow(Ogre::Root& root) {
+    root.setRenderSystem(root.getAvailableRenderers().front());
+    root.initialise(false);
+    Ogre::NameValuePairList parameters;
+    for (const auto& [name, value] : Headless::windowParameters())
+        parameters[name] = value;
+    return root.createRenderWindow("", 32, 32, false, &parameters);
+}
+
 TEST(Unload, NothingIsCalledThatIsGone) {
     unsetenv("DISPLAY");
     ASSERT_EQ(Headless::enable(), "");
@@ -23,12 +33,7 @@ TEST(Unload, NothingIsCalledThatIsGone) {
     root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
     const Ogre::String plugin = LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
     root.loadPlugin(plugin);
-    root.setRenderSystem(root.getAvailableRenderers().front());
-    root.initialise(false);
-    Ogre::NameValuePairList parameters;
-    for (const auto& [name, value] : Headless::windowParameters())
-        parameters[name] = value;
-    Ogre::RenderWindow* const window = root.createRenderWindow("", 32, 32, false, &parameters);
+    Ogre::RenderWindow* const window = openWindow(root);
     Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
     Ogre::SceneManager* const manager = root.createSceneManager();
     Ogre::Camera* const camera = manager->createCamera("");
@@ -72,12 +77,7 @@ TEST(Load, TwiceIsOnce) {
     root.loadPlugin(plugin);
     root.loadPlugin("/" + plugin);
     EXPECT_EQ(root.getInstalledPlugins().size(), 2U) << "the render system's and Lixel's";
-    root.setRenderSystem(root.getAvailableRenderers().front());
-    root.initialise(false);
-    Ogre::NameValuePairList parameters;
-    for (const auto& [name, value] : Headless::windowParameters())
-        parameters[name] = value;
-    root.createRenderWindow("", 32, 32, false, &parameters);
+    openWindow(root);
     root.renderOneFrame();
     root.unloadPlugin(plugin);
     root.renderOneFrame();
