@@ -17,34 +17,27 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 
 find_program(LIXEL_CCACHE ccache)
 if(LIXEL_CCACHE)
-  # What ccache wants of files that use precompiled headers. It learns from the compiler which files
-  # are included (CCACHE_DEPEND), instead of preprocessing each one that it does not know.
-  set(launcher "${CMAKE_COMMAND}" -E env
-    CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1 "${LIXEL_CCACHE}")
+  # ccache learns from the compiler which files are included, instead of preprocessing each one that
+  # it does not know.
+  set(launcher "${CMAKE_COMMAND}" -E env CCACHE_DEPEND=1 "${LIXEL_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER "${launcher}")
   set(CMAKE_CXX_COMPILER_LAUNCHER "${launcher}")
 endif()
 
-# lixel_precompile(TARGET HEADERS…) or lixel_precompile(TARGET REUSE_FROM OTHER): compiles headers
-# once for all files of a target, and of those that reuse them: libraries from libraries, programs
-# from programs. OGRE's, Eigen's and GoogleTest's headers are half of the time of most files.
-# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without, and finds files that lack an include.
-function(lixel_precompile target)
-  if("${ARGV1}" STREQUAL "REUSE_FROM")
-    target_precompile_headers(${target} REUSE_FROM "${ARGV2}")
-  else()
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # What ccache wants.
-    target_compile_options(${target} PRIVATE -fpch-preprocess)
-  endif()
-endfunction()
+# Files that -DCMAKE_UNITY_BUILD=ON compiles together. Each alone takes 6 s, of which the headers of
+# OGRE, Eigen, GoogleTest and RapidCheck are 3 to 5 s.
+if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+endif()
 
 # Options of every target that is our own code.
 add_library(lixel_options INTERFACE)
+if(CMAKE_UNITY_BUILD)
+  # It takes the file that it compiles alone for a header.
+  set(unity -Wno-subobject-linkage)
+endif()
 target_compile_options(lixel_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${LIXEL_WERROR}>:-Werror>)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${LIXEL_WERROR}>:-Werror> ${unity})
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # Wrong where a literal and a std::string are added (GCC's bug 105651).
   target_compile_options(lixel_options INTERFACE -Wno-restrict)
@@ -58,13 +51,13 @@ if(LIXEL_SANITIZE)
   target_link_options(lixel_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# lixel_room(FOLDER SOURCES … USES … PRECOMPILE …): one room of the plugin, an object library
-# lixel_FOLDER, with _ for each / in FOLDER. PRECOMPILE is what lixel_precompile takes.
+# lixel_room(FOLDER SOURCES … USES …): one room of the plugin, an object library lixel_FOLDER, with _
+# for each / in FOLDER.
 #
 # A room's headers are reached as "FOLDER/Header.h" through a directory that holds that room alone, so
 # that including a room which is not among USES (or theirs) does not build.
 function(lixel_room folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
   string(REPLACE "/" "_" name "${folder}")
   set(rooms "${PROJECT_BINARY_DIR}/rooms/${name}")
   get_filename_component(above "${rooms}/${folder}" DIRECTORY)
@@ -77,5 +70,4 @@ function(lixel_room folder)
   # OGRE's exceptions name the file that throws, on every machine where Lixel is used.
   target_compile_options(lixel_${name} PRIVATE
     "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/plugin/=Lixel/")
-  lixel_precompile(lixel_${name} ${ARG_PRECOMPILE})
 endfunction()

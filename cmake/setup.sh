@@ -47,5 +47,6 @@ fi
 
 if [ ! -f build/build.ninja ]; then
     say "Configuring build/"
-    cmake -S . -B build -G Ninja
+    # Files are compiled in batches: from nothing that takes a third of the time.
+    cmake -S . -B build -G Ninja -DCMAKE_UNITY_BUILD=ON
 fi

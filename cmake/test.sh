@@ -49,7 +49,7 @@ run_tests build
 say "Building the tests of fit, scene and scripts with sanitizers"
 # Assertions stay on. The samples and their libraries are not needed.
 cmake -S . -B build/sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 \
-    -DLIXEL_BUILD_SAMPLES=OFF -DLIXEL_BUILD_TESTS=ON -DLIXEL_SANITIZE=ON
+    -DCMAKE_UNITY_BUILD=ON -DLIXEL_BUILD_SAMPLES=OFF -DLIXEL_BUILD_TESTS=ON -DLIXEL_SANITIZE=ON
 ninja -C build/sanitized tests/fit/all tests/scene/all tests/script/all
 
 say "Testing fit, scene and scripts with sanitizers"

@@ -7,7 +7,12 @@
 #include <Ogre.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace Lixel::Tests {
+
+inline constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float Infinity = std::numeric_limits<float>::infinity();
 
 /// Collects what OGRE logs as warnings and errors.
 class LogCollector : public Ogre::LogListener {
@@ -55,6 +60,10 @@ private:
 
     int mCubes = 0;
 };
+
+/// Points of its ground.
+inline const Ogre::Vector3 InShadow(-2, 0, 0);
+inline const Ogre::Vector3 InTheSun(4, 0, 0);
 
 /// Keeps what was published last.
 class LastMap : public ShadowMapObserver {

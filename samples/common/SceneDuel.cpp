@@ -7,7 +7,7 @@ namespace {
 using Ogre::ColourValue;
 using Ogre::Vector3;
 
-const std::string Base = "Lixel/Samples/duel/";
+const std::string DuelPath = "Lixel/Samples/duel/";
 
 /// Posts, 2 apart, and two rails along x, from -half to half; half is whole.
 Ogre::MeshPtr fence(float half) {
@@ -20,7 +20,7 @@ Ogre::MeshPtr fence(float half) {
     }
     for (const float height : {0.45F, 0.95F})
         mesh.boxOn({0.0F, height, 0.11F}, 2.0F * half, 0.12F, 0.05F);
-    return mesh.build(Base + "fence");
+    return mesh.build(DuelPath + "fence");
 }
 
 /// A row of columns that carry a beam, along x.
@@ -35,15 +35,15 @@ Ogre::MeshPtr colonnade(int columns, float spacing) {
     mesh.boxOn(Vector3::ZERO, 2.0F * half + 2.4F, 0.3F, 2.4F);
     mesh.boxOn({0.0F, 6.8F, 0.0F}, 2.0F * half + 1.8F, 0.8F, 1.3F);
     mesh.boxOn({0.0F, 7.6F, 0.0F}, 2.0F * half + 2.3F, 0.25F, 1.8F);
-    return mesh.build(Base + "colonnade");
+    return mesh.build(DuelPath + "colonnade");
 }
 
 void plantTrees(Ogre::SceneManager& sceneManager) {
-    const auto bark = makeSurface(Base + "bark", ColourValue(0.42F, 0.34F, 0.27F));
-    const auto needles = makeSurface(Base + "needles", ColourValue(0.33F, 0.46F, 0.36F));
-    const auto leaves = makeSurface(Base + "leaves", ColourValue(0.55F, 0.60F, 0.33F));
-    const TwoMeshes conifer = spruce(Base + "spruce", 11.0F);
-    const TwoMeshes broad = broadleaf(Base + "broadleaf", 9.0F, 3);
+    const auto bark = makeSurface(DuelPath + "bark", ColourValue(0.42F, 0.34F, 0.27F));
+    const auto needles = makeSurface(DuelPath + "needles", ColourValue(0.33F, 0.46F, 0.36F));
+    const auto leaves = makeSurface(DuelPath + "leaves", ColourValue(0.55F, 0.60F, 0.33F));
+    const TwoMeshes conifer = spruce(DuelPath + "spruce", 11.0F);
+    const TwoMeshes broad = broadleaf(DuelPath + "broadleaf", 9.0F, 3);
     Random random(11);
     for (int i = 0; i < 15; ++i) {
         Placement placement;
@@ -58,14 +58,14 @@ void plantTrees(Ogre::SceneManager& sceneManager) {
     place(sceneManager, conifer, bark, needles, {{17.0F, 0.0F, 8.0F}, 0.0F, 0.9F});
 }
 
-void build(Ogre::SceneManager& sceneManager) {
+void buildDuel(Ogre::SceneManager& sceneManager) {
     sceneManager.setAmbientLight(SampleScene{}.ambient);
-    placeGround(sceneManager, Base + "ground", 150.0F,
-                makeSurface(Base + "ground", ColourValue(0.66F, 0.66F, 0.52F),
+    placeGround(sceneManager, DuelPath + "ground", 150.0F,
+                makeSurface(DuelPath + "ground", ColourValue(0.66F, 0.66F, 0.52F),
                             patternTexture(Pattern::Grain)));
-    const auto stone = makeSurface(Base + "stone", ColourValue(0.82F, 0.78F, 0.69F));
-    const auto wood = makeSurface(Base + "wood", ColourValue(0.55F, 0.41F, 0.29F));
-    const auto clay = makeSurface(Base + "clay", ColourValue(0.76F, 0.45F, 0.34F));
+    const auto stone = makeSurface(DuelPath + "stone", ColourValue(0.82F, 0.78F, 0.69F));
+    const auto wood = makeSurface(DuelPath + "wood", ColourValue(0.55F, 0.41F, 0.29F));
+    const auto clay = makeSurface(DuelPath + "clay", ColourValue(0.76F, 0.45F, 0.34F));
     place(sceneManager, fence(40.0F), wood, {{0.0F, 0.0F, 22.0F}, 0.0F, 1.0F});
     place(sceneManager, colonnade(11, 4.5F), stone, {{0.0F, 0.0F, -9.0F}, 0.0F, 1.0F});
     plantTrees(sceneManager);
@@ -80,7 +80,7 @@ void build(Ogre::SceneManager& sceneManager) {
                                         {0.5F, 1.8F},
                                         {0.0F, 1.8F}},
               28);
-    const Ogre::MeshPtr jarMesh = jar.build(Base + "jar");
+    const Ogre::MeshPtr jarMesh = jar.build(DuelPath + "jar");
     for (int i = 0; i < 6; ++i)
         place(
             sceneManager, jarMesh, clay,
@@ -95,7 +95,7 @@ SampleScene duelScene() {
     SampleScene scene;
     scene.name = "duel";
     scene.title = "Duel: looking into a low sun, with trees, columns and a fence in between";
-    scene.build = build;
+    scene.build = buildDuel;
     scene.views = {
         {"into-the-sun", {0.5F, 1.9F, 31.0F}, {0.0F, 1.2F, 0.0F}, 0.5F, 300.0F, 50.0F, {}},
         {"from-a-hill", {-22.0F, 16.0F, 52.0F}, {0.0F, 0.0F, -8.0F}, 0.5F, 300.0F, 45.0F, {}},

@@ -94,7 +94,7 @@ std::vector<Ogre::MaterialPtr> colours() {
     return materials;
 }
 
-void build(Ogre::SceneManager& sceneManager) {
+void buildField(Ogre::SceneManager& sceneManager) {
     sceneManager.setAmbientLight(SampleScene{}.ambient);
     placeGround(sceneManager, "Lixel/Samples/field/ground", HalfSide,
                 makeSurface("Lixel/Samples/field/ground", ColourValue(0.67F, 0.70F, 0.56F),
@@ -129,7 +129,7 @@ SampleScene fieldScene() {
     SampleScene scene;
     scene.name = "field";
     scene.title = "Field: some 400 things on a wide plane, seen at head height and from above";
-    scene.build = build;
+    scene.build = buildField;
     scene.views.assign(Views.begin(), Views.end());
     scene.lights = {sunlight("afternoon", 60.0F, 35.0F),
                     sunlight("low-from-the-side", 95.0F, 14.0F),

@@ -7,7 +7,7 @@ namespace {
 using Ogre::ColourValue;
 using Ogre::Vector3;
 
-const std::string Base = "Lixel/Samples/miners-lamp/";
+const std::string LampPath = "Lixel/Samples/miners-lamp/";
 
 // The hall, in metres: x across, z along.
 constexpr float HalfWidth = 12.0F;
@@ -43,12 +43,12 @@ SampleView lampView(const std::string& name, const Vector3& eye, const Vector3& 
 }
 
 void buildShell(Ogre::SceneManager& sceneManager) {
-    const auto rock = makeSurface(Base + "rock", ColourValue(0.66F, 0.62F, 0.56F),
+    const auto rock = makeSurface(LampPath + "rock", ColourValue(0.66F, 0.62F, 0.56F),
                                   patternTexture(Pattern::Grain));
     MeshBuilder floor;
     floor.box({-HalfWidth, -Wall, -HalfLength}, {HalfWidth, 0.0F, HalfLength});
-    place(sceneManager, floor.build(Base + "floor"),
-          makeSurface(Base + "floor", ColourValue(0.64F, 0.59F, 0.52F),
+    place(sceneManager, floor.build(LampPath + "floor"),
+          makeSurface(LampPath + "floor", ColourValue(0.64F, 0.59F, 0.52F),
                       patternTexture(Pattern::Paving)))
         ->setCastShadows(false);
 
@@ -64,17 +64,17 @@ void buildShell(Ogre::SceneManager& sceneManager) {
     shell.box({2.0F, -Wall, -outZ}, {HalfWidth, Height, -HalfLength});
     shell.box({-2.0F, 4.0F, -outZ}, {2.0F, Height, -HalfLength});
     shell.box({-2.0F, -Wall, -outZ - 1.0F}, {2.0F, 4.0F, -outZ});
-    place(sceneManager, shell.build(Base + "shell"), rock);
+    place(sceneManager, shell.build(LampPath + "shell"), rock);
 }
 
 void buildPillars(Ogre::SceneManager& sceneManager) {
-    const auto stone = makeSurface(Base + "stone", ColourValue(0.78F, 0.72F, 0.62F));
+    const auto stone = makeSurface(LampPath + "stone", ColourValue(0.78F, 0.72F, 0.62F));
     MeshBuilder pillar;
     addColumn(pillar, 0.62F, Height);
-    const Ogre::MeshPtr pillarMesh = pillar.build(Base + "pillar");
+    const Ogre::MeshPtr pillarMesh = pillar.build(LampPath + "pillar");
     MeshBuilder rib;
     rib.arch(2.0F * Aisle - 1.6F, 3.1F, 0.5F, 0.7F, 24);
-    const Ogre::MeshPtr ribMesh = rib.build(Base + "rib");
+    const Ogre::MeshPtr ribMesh = rib.build(LampPath + "rib");
     for (int i = 0; i < Bays; ++i) {
         const float z = (static_cast<float>(i) + 0.5F) * Bay - HalfLength;
         place(sceneManager, pillarMesh, stone, {{-Aisle, 0.0F, z}, 0.0F, 1.0F});
@@ -84,12 +84,12 @@ void buildPillars(Ogre::SceneManager& sceneManager) {
 }
 
 void buildFurniture(Ogre::SceneManager& sceneManager) {
-    const auto wood = makeSurface(Base + "wood", ColourValue(0.60F, 0.44F, 0.30F));
-    const auto iron = makeSurface(Base + "iron", ColourValue(0.40F, 0.43F, 0.46F));
-    const auto boulderColour = makeSurface(Base + "boulder", ColourValue(0.60F, 0.57F, 0.53F));
+    const auto wood = makeSurface(LampPath + "wood", ColourValue(0.60F, 0.44F, 0.30F));
+    const auto iron = makeSurface(LampPath + "iron", ColourValue(0.40F, 0.43F, 0.46F));
+    const auto boulderColour = makeSurface(LampPath + "boulder", ColourValue(0.60F, 0.57F, 0.53F));
     MeshBuilder crate;
     crate.boxOn(Vector3::ZERO, 1.1F, 1.1F, 1.1F);
-    const Ogre::MeshPtr crateMesh = crate.build(Base + "crate");
+    const Ogre::MeshPtr crateMesh = crate.build(LampPath + "crate");
     MeshBuilder barrel;
     barrel.lathe(std::vector<ProfilePoint>{{0.0F, 0.0F},
                                            {0.36F, 0.0F},
@@ -99,10 +99,10 @@ void buildFurniture(Ogre::SceneManager& sceneManager) {
                                            {0.36F, 1.1F},
                                            {0.0F, 1.1F}},
                  24);
-    const Ogre::MeshPtr barrelMesh = barrel.build(Base + "barrel");
+    const Ogre::MeshPtr barrelMesh = barrel.build(LampPath + "barrel");
     MeshBuilder boulder;
     boulder.sphere({0.0F, 0.35F, 0.0F}, 0.6F, 24);
-    const Ogre::MeshPtr boulderMesh = boulder.build(Base + "boulder");
+    const Ogre::MeshPtr boulderMesh = boulder.build(LampPath + "boulder");
 
     Random random(5);
     for (int i = 0; i < 44; ++i) {
@@ -127,10 +127,10 @@ void buildFurniture(Ogre::SceneManager& sceneManager) {
     for (int i = 0; i < static_cast<int>((2.0F * HalfLength - 8.0F) / Sleepers); ++i)
         rails.boxOn({0.0F, 0.0F, Sleepers * static_cast<float>(i) + 0.5F - HalfLength}, 1.7F, 0.08F,
                     0.24F);
-    place(sceneManager, rails.build(Base + "rails"), iron);
+    place(sceneManager, rails.build(LampPath + "rails"), iron);
 }
 
-void build(Ogre::SceneManager& sceneManager) {
+void buildMinersLamp(Ogre::SceneManager& sceneManager) {
     sceneManager.setAmbientLight(ColourValue(0.12F, 0.12F, 0.14F));
     buildShell(sceneManager);
     buildPillars(sceneManager);
@@ -143,7 +143,7 @@ SampleScene minersLampScene() {
     SampleScene scene;
     scene.name = "miners-lamp";
     scene.title = "Miner's lamp: a pillared hall lit only by a lamp beside the viewer's head";
-    scene.build = build;
+    scene.build = buildMinersLamp;
     scene.views = {
         lampView("down-the-nave", {0.3F, 1.7F, 37.0F}, {0.0F, 1.9F, -20.0F}, 75.0F),
         lampView("along-the-aisle", {-8.4F, 1.7F, 34.0F}, {-5.0F, 1.2F, 0.0F}, 75.0F),

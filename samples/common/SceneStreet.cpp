@@ -10,13 +10,13 @@ namespace {
 using Ogre::ColourValue;
 using Ogre::Vector3;
 
-const std::string Base = "Lixel/Samples/street/";
+const std::string StreetPath = "Lixel/Samples/street/";
 
 // Metres; the street runs along z.
-constexpr float HalfStreet = 5.0F;  ///< from the middle to the kerb
-constexpr float Sidewalk = 3.0F;    ///< width
-constexpr float Kerb = 0.14F;       ///< height
-constexpr float HalfLength = 84.0F; ///< of the street
+constexpr float HalfStreet = 5.0F;        ///< from the middle to the kerb
+constexpr float Sidewalk = 3.0F;          ///< width
+constexpr float Kerb = 0.14F;             ///< height
+constexpr float HalfStreetLength = 84.0F; ///< of the street
 constexpr float Storey = 3.1F;
 // On the left the houses make room for a park, over which the low sun comes in.
 constexpr float ParkBack = -34.0F;
@@ -143,11 +143,11 @@ HouseMeshes makeHouse(const std::string& name, const HouseShape& shape) {
 }
 
 std::vector<HouseMeshes> makeHouses() {
-    return {makeHouse(Base + "cottage", {9.0F, 8.0F, 2, 3, false, true}),
-            makeHouse(Base + "townhouse", {11.0F, 10.0F, 3, 4, true, false}),
-            makeHouse(Base + "corner", {8.0F, 9.0F, 3, 3, false, false}),
-            makeHouse(Base + "inn", {13.0F, 10.0F, 2, 5, true, false}),
-            makeHouse(Base + "narrow", {6.5F, 9.0F, 3, 2, true, true})};
+    return {makeHouse(StreetPath + "cottage", {9.0F, 8.0F, 2, 3, false, true}),
+            makeHouse(StreetPath + "townhouse", {11.0F, 10.0F, 3, 4, true, false}),
+            makeHouse(StreetPath + "corner", {8.0F, 9.0F, 3, 3, false, false}),
+            makeHouse(StreetPath + "inn", {13.0F, 10.0F, 2, 5, true, false}),
+            makeHouse(StreetPath + "narrow", {6.5F, 9.0F, 3, 2, true, true})};
 }
 
 Ogre::MeshPtr makeLampPost() {
@@ -170,7 +170,7 @@ Ogre::MeshPtr makeLampPost() {
                                          {0.05F, 4.6F},
                                          {0.0F, 4.75F}},
                14);
-    return mesh.build(Base + "lamp-post");
+    return mesh.build(StreetPath + "lamp-post");
 }
 
 Ogre::MeshPtr makeBench() {
@@ -184,21 +184,21 @@ Ogre::MeshPtr makeBench() {
         mesh.boxOn({x, 0.0F, -0.28F}, 0.07F, 0.97F, 0.05F);
         mesh.boxOn({x, 0.4F, -0.06F}, 0.06F, 0.04F, 0.5F);
     }
-    return mesh.build(Base + "bench");
+    return mesh.build(StreetPath + "bench");
 }
 
 /// A low wall along the street, and trees and benches behind it.
 void buildPark(Ogre::SceneManager& sceneManager) {
-    const auto stone = makeSurface(Base + "stone", ColourValue(0.78F, 0.74F, 0.66F));
-    const auto bark = makeSurface(Base + "park-bark", ColourValue(0.44F, 0.36F, 0.29F));
-    const auto leaves = makeSurface(Base + "park-leaves", ColourValue(0.56F, 0.60F, 0.33F));
-    const auto needles = makeSurface(Base + "park-needles", ColourValue(0.36F, 0.50F, 0.40F));
-    const auto lawn = makeSurface(Base + "lawn", ColourValue(0.58F, 0.66F, 0.42F),
+    const auto stone = makeSurface(StreetPath + "stone", ColourValue(0.78F, 0.74F, 0.66F));
+    const auto bark = makeSurface(StreetPath + "park-bark", ColourValue(0.44F, 0.36F, 0.29F));
+    const auto leaves = makeSurface(StreetPath + "park-leaves", ColourValue(0.56F, 0.60F, 0.33F));
+    const auto needles = makeSurface(StreetPath + "park-needles", ColourValue(0.36F, 0.50F, 0.40F));
+    const auto lawn = makeSurface(StreetPath + "lawn", ColourValue(0.58F, 0.66F, 0.42F),
                                   patternTexture(Pattern::Grain));
     const float x = -(HalfStreet + Sidewalk);
     MeshBuilder grass;
     grass.box({x - 40.0F, 0.0F, ParkBack}, {x, 0.12F, ParkFront});
-    place(sceneManager, grass.build(Base + "lawn"), lawn);
+    place(sceneManager, grass.build(StreetPath + "lawn"), lawn);
 
     MeshBuilder wall;
     for (int i = 0; i < static_cast<int>((ParkFront - ParkBack) / 5.0F); ++i) {
@@ -207,10 +207,10 @@ void buildPark(Ogre::SceneManager& sceneManager) {
         wall.boxOn({x - 0.3F, 0.8F, z + 2.5F}, 0.42F, 0.1F, 4.6F);
         wall.boxOn({x - 0.3F, 0.0F, z}, 0.5F, 1.2F, 0.5F);
     }
-    place(sceneManager, wall.build(Base + "park-wall"), stone);
+    place(sceneManager, wall.build(StreetPath + "park-wall"), stone);
 
-    const TwoMeshes broad = broadleaf(Base + "park-broadleaf", 8.0F, 21);
-    const TwoMeshes conifer = spruce(Base + "park-spruce", 9.5F);
+    const TwoMeshes broad = broadleaf(StreetPath + "park-broadleaf", 8.0F, 21);
+    const TwoMeshes conifer = spruce(StreetPath + "park-spruce", 9.5F);
     Random random(17);
     for (int i = 0; i < 14; ++i) {
         const Placement placement{
@@ -231,17 +231,17 @@ void buildHouses(Ogre::SceneManager& sceneManager) {
     std::vector<Ogre::MaterialPtr> plaster;
     plaster.reserve(tones.size());
     for (const ColourValue& tone : tones)
-        plaster.push_back(makeSurface(Base + "plaster" + std::to_string(plaster.size()), tone,
+        plaster.push_back(makeSurface(StreetPath + "plaster" + std::to_string(plaster.size()), tone,
                                       patternTexture(Pattern::Grain)));
-    const auto tiles = makeSurface(Base + "tiles", ColourValue(0.58F, 0.35F, 0.29F));
-    const auto slate = makeSurface(Base + "slate", ColourValue(0.40F, 0.43F, 0.47F));
-    const auto trim = makeSurface(Base + "trim", ColourValue(0.86F, 0.83F, 0.76F));
-    const auto glass = makeSurface(Base + "glass", ColourValue(0.24F, 0.31F, 0.37F));
+    const auto tiles = makeSurface(StreetPath + "tiles", ColourValue(0.58F, 0.35F, 0.29F));
+    const auto slate = makeSurface(StreetPath + "slate", ColourValue(0.40F, 0.43F, 0.47F));
+    const auto trim = makeSurface(StreetPath + "trim", ColourValue(0.86F, 0.83F, 0.76F));
+    const auto glass = makeSurface(StreetPath + "glass", ColourValue(0.24F, 0.31F, 0.37F));
     const std::vector<HouseMeshes> houses = makeHouses();
     Random random(31);
     for (const float side : {-1.0F, 1.0F}) {
-        float z = -HalfLength;
-        for (int i = 0; z < HalfLength - 6.0F; ++i) {
+        float z = -HalfStreetLength;
+        for (int i = 0; z < HalfStreetLength - 6.0F; ++i) {
             const HouseMeshes& house =
                 houses[static_cast<std::size_t>(2 * i + (side > 0.0F ? 1 : 0)) % houses.size()];
             const bool inPark = z + house.width > ParkBack && z < ParkFront;
@@ -266,28 +266,28 @@ void buildHouses(Ogre::SceneManager& sceneManager) {
 }
 
 void buildStreet(Ogre::SceneManager& sceneManager) {
-    placeGround(sceneManager, Base + "ground", 130.0F,
-                makeSurface(Base + "road", ColourValue(0.62F, 0.61F, 0.60F),
+    placeGround(sceneManager, StreetPath + "ground", 130.0F,
+                makeSurface(StreetPath + "road", ColourValue(0.62F, 0.61F, 0.60F),
                             patternTexture(Pattern::Grain)));
-    const auto paving = makeSurface(Base + "paving", ColourValue(0.74F, 0.71F, 0.66F),
+    const auto paving = makeSurface(StreetPath + "paving", ColourValue(0.74F, 0.71F, 0.66F),
                                     patternTexture(Pattern::Paving));
     MeshBuilder sidewalks;
     for (const float side : {-1.0F, 1.0F})
         sidewalks.boxOn({side * (HalfStreet + 0.5F * Sidewalk), 0.0F, 0.0F}, Sidewalk, Kerb,
-                        2.0F * HalfLength);
-    place(sceneManager, sidewalks.build(Base + "sidewalks"), paving);
+                        2.0F * HalfStreetLength);
+    place(sceneManager, sidewalks.build(StreetPath + "sidewalks"), paving);
 
-    const auto iron = makeSurface(Base + "iron", ColourValue(0.30F, 0.36F, 0.34F));
-    const auto wood = makeSurface(Base + "wood", ColourValue(0.58F, 0.42F, 0.28F));
-    const auto bark = makeSurface(Base + "bark", ColourValue(0.42F, 0.35F, 0.29F));
-    const auto leaves = makeSurface(Base + "leaves", ColourValue(0.47F, 0.58F, 0.34F));
+    const auto iron = makeSurface(StreetPath + "iron", ColourValue(0.30F, 0.36F, 0.34F));
+    const auto wood = makeSurface(StreetPath + "wood", ColourValue(0.58F, 0.42F, 0.28F));
+    const auto bark = makeSurface(StreetPath + "bark", ColourValue(0.42F, 0.35F, 0.29F));
+    const auto leaves = makeSurface(StreetPath + "leaves", ColourValue(0.47F, 0.58F, 0.34F));
     const Ogre::MeshPtr lampPost = makeLampPost();
     const Ogre::MeshPtr bench = makeBench();
-    const TwoMeshes tree = broadleaf(Base + "tree", 6.5F, 9);
+    const TwoMeshes tree = broadleaf(StreetPath + "tree", 6.5F, 9);
     MeshBuilder bollard;
     bollard.cylinder(0.09F, 0.0F, 0.75F, 12);
     bollard.sphere({0.0F, 0.8F, 0.0F}, 0.12F, 12);
-    const Ogre::MeshPtr bollardMesh = bollard.build(Base + "bollard");
+    const Ogre::MeshPtr bollardMesh = bollard.build(StreetPath + "bollard");
     Random random(8);
     for (const float side : {-1.0F, 1.0F}) {
         const float x = side * (HalfStreet + 0.45F);
@@ -312,7 +312,7 @@ void buildStreet(Ogre::SceneManager& sceneManager) {
     }
 }
 
-void build(Ogre::SceneManager& sceneManager) {
+void buildScene(Ogre::SceneManager& sceneManager) {
     sceneManager.setAmbientLight(SampleScene{}.ambient);
     buildStreet(sceneManager);
     buildPark(sceneManager);
@@ -325,7 +325,7 @@ SampleScene streetScene() {
     SampleScene scene;
     scene.name = "street";
     scene.title = "Street: houses, lamp posts and trees when the sun is low";
-    scene.build = build;
+    scene.build = buildScene;
     scene.views = {
         {"down-the-street", {-2.6F, 1.7F, 44.0F}, {3.0F, 2.6F, 0.0F}, 0.2F, 250.0F, 58.0F, {}},
         {"from-above", {-19.0F, 15.0F, 47.0F}, {4.0F, 0.5F, 2.0F}, 0.5F, 250.0F, 50.0F, {}},

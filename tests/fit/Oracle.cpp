@@ -8,8 +8,6 @@
 namespace Lixel::Test {
 namespace {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /// What a point must be away from an occluder to be shadowed by it, relative to the scene's size:
 /// a body's own lit face is not shadowed by the body.
 constexpr double Contact = 1e-7;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <iomanip>
-#include <numbers>
 #include <ostream>
 
 namespace Lixel {
@@ -23,9 +22,6 @@ std::ostream& operator<<(std::ostream& out, FitReason reason) {
 
 namespace Lixel::Test {
 namespace {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Degree = std::numbers::pi / 180.0;
 
 /// Every third to tenth extent vanishes, so that flat, thin and point-like boxes are common.
 Aabb randomBox(Dice& dice, const Scene& scene, const Vec3& eye, const Vec3& forward) {
@@ -280,6 +276,15 @@ Scene scaled(const Scene& scene, double factor) {
 rc::Gen<std::uint64_t> anySeed() {
     return rc::gen::noShrink(
         rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+}
+
+Dice anyDice() {
+    return Dice(*anySeed());
+}
+
+double insideBorder(const Vec2& texel, const Scene& scene) {
+    const Vec2 size(scene.mapWidth, scene.mapHeight);
+    return std::min(texel.minCoeff(), (size - texel).minCoeff());
 }
 
 rc::Gen<Scene> anyScene() {

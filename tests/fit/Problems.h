@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fit/Constants.h"
+
 #include "fit/core/FitState.h"
 #include "fit/geometry/BodyHull.h"
 #include "fit/problem/ShadowFit.h"
@@ -62,6 +64,9 @@ struct Scene {
     void addBody(const Aabb& box);
 };
 
+/// How far inside the border of the scene's map a texel coordinate is; negative outside.
+double insideBorder(const Vec2& texel, const Scene& scene);
+
 /// Prints every number of the scene, so that a failure can be made an example.
 std::ostream& operator<<(std::ostream& out, const Scene& scene);
 
@@ -104,6 +109,7 @@ private:
 
 /// Seeds of dice: any, whatever RapidCheck's size, and none simpler than another.
 rc::Gen<std::uint64_t> anySeed();
+Dice anyDice();
 
 /** Any valid scene.
 

@@ -21,7 +21,7 @@ namespace {
 using namespace Samples;
 
 /// Seconds; a case takes a tenth of one.
-constexpr unsigned TimeLimit = 20;
+constexpr unsigned ExtentTimeLimit = 20;
 
 /// What the guard has.
 constexpr std::size_t ViewSamples = 64;
@@ -127,7 +127,7 @@ int printExtents(const std::vector<const HardCase*>& cases) {
         for (const HardCase* const hardCase : cases) {
             ExpectedExtent extent;
             const std::string failure = runApart(
-                TimeLimit, [&] { extent = expectedExtent(stage, *hardCase); },
+                ExtentTimeLimit, [&] { extent = expectedExtent(stage, *hardCase); },
                 std::as_writable_bytes(std::span(&extent, 1)));
             if (!failure.empty())
                 throw std::runtime_error(fmt::format("{}: {}", hardCase->name, failure));

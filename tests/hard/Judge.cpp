@@ -31,7 +31,7 @@ struct ShadowedPoint {
     double tolerance;    ///< how exactly the caster's point is known, in world units
 };
 
-Vector3d toEigen(const Ogre::Vector3& v) {
+Vector3d positionOf(const Ogre::Vector3& v) {
     return Eigen::Vector3f(v.x, v.y, v.z).cast<double>();
 }
 
@@ -163,11 +163,11 @@ Matrix4d clipOf(const ProbedCaster& caster, const Vector3d& wsOrigin) {
 } // namespace
 
 std::size_t countShadowed(HardScene& scene) {
-    return findShadowed(scene, toEigen(scene.origin)).size();
+    return findShadowed(scene, positionOf(scene.origin)).size();
 }
 
 Losses judge(HardScene& scene, const std::vector<ProbedMap>& maps, const MapUse& use) {
-    const Vector3d wsOrigin = toEigen(scene.origin);
+    const Vector3d wsOrigin = positionOf(scene.origin);
     Losses losses;
     for (const ProbedMap& map : maps) {
         losses.finite = losses.finite && map.receivers.clipFromBase.allFinite();

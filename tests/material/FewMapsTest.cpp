@@ -7,7 +7,7 @@
 namespace Lixel::Tests {
 namespace {
 
-constexpr std::size_t Cascades = 3;
+constexpr std::size_t Slices = 3;
 constexpr std::size_t Faces = 6;
 
 /// A sun with three slices and a lamp with six faces; no other light.
@@ -15,9 +15,9 @@ class FewMaps : public testing::Test {
 protected:
     FewMaps() {
         Ogre::SceneManager& manager = scene.stage.sceneManager();
-        manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, Cascades);
+        manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, Slices);
         manager.setShadowTextureCountPerLightType(Ogre::Light::LT_POINT, Faces);
-        manager.setShadowTextureSettings(256, Cascades + Faces, Ogre::PF_FLOAT32_R);
+        manager.setShadowTextureSettings(256, Slices + Faces, Ogre::PF_FLOAT32_R);
         scene.lights[1]->setVisible(false);
         scene.lights[0]->setCustomShadowCameraSetup(CascadesShadowCameraSetup::create());
         Ogre::Light& lamp = *scene.lights[2];
@@ -127,7 +127,7 @@ TEST_F(FewMaps, OfASunThatIsToBeDividedAreNamed) {
 TEST_F(FewMaps, OfASetupAreNoNewsBesideAnotherSun) {
     // OGRE counts textures for all suns alike.
     scene.lights[1]->setVisible(true);
-    scene.stage.sceneManager().setShadowTextureSettings(256, 2 * Cascades + Faces,
+    scene.stage.sceneManager().setShadowTextureSettings(256, 2 * Slices + Faces,
                                                         Ogre::PF_FLOAT32_R);
     draw("Lixel/Surface/Integrated/Maps6");
     EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();

@@ -7,6 +7,9 @@
 
 namespace Lixel::Tests {
 
+inline constexpr auto AdditiveTechnique = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE;
+inline constexpr auto IntegratedTechnique = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED;
+
 /** BoxOnGround under three lights that shadow different sides: two suns and a spot, XPSM each.
 
     The scripts of tests/material/media are loaded, in the group General as an application's are.

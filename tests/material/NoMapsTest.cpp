@@ -10,8 +10,6 @@
 namespace Lixel::Tests {
 namespace {
 
-constexpr auto Additive = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE;
-constexpr auto Integrated = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED;
 const char* const NoSetup = "no light that casts shadows has a setup of Lixel's";
 const char* const NoTextures = "has no shadow textures";
 
@@ -35,10 +33,10 @@ public:
 
 TEST(NoMaps, AreNamedWithTheSetupThatIsMissing) {
     for (const auto& [technique, receiver, surface] :
-         {std::tuple(Additive, "Lixel/Receiver", "Lixel/Surface"),
+         {std::tuple(AdditiveTechnique, "Lixel/Receiver", "Lixel/Surface"),
           std::tuple(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE, "Lixel/Receiver/Modulative",
                      "Lixel/Surface"),
-          std::tuple(Integrated, "", "Lixel/Surface/Integrated")}) {
+          std::tuple(IntegratedTechnique, "", "Lixel/Surface/Integrated")}) {
         SceneWithoutSetups scene(technique, receiver);
         LogCollector log;
         scene.wear(surface);
@@ -51,7 +49,7 @@ TEST(NoMaps, AreNamedWithTheSetupThatIsMissing) {
 }
 
 TEST(NoMaps, AreNamedUnderOgresOwnSetups) {
-    SceneWithoutSetups scene(Additive, "Lixel/Receiver");
+    SceneWithoutSetups scene(AdditiveTechnique, "Lixel/Receiver");
     LogCollector log;
     scene.stage.sceneManager().setShadowCameraSetup(Ogre::FocusedShadowCameraSetup::create());
     scene.lights[0]->setCustomShadowCameraSetup(Ogre::DefaultShadowCameraSetup::create());
@@ -61,8 +59,8 @@ TEST(NoMaps, AreNamedUnderOgresOwnSetups) {
 
 TEST(NoMaps, AreNamedWithTheTexturesThatAreMissing) {
     for (const auto& [technique, receiver, surface] :
-         {std::tuple(Additive, "Lixel/Receiver", "Lixel/Surface"),
-          std::tuple(Integrated, "", "Lixel/Surface/Integrated")}) {
+         {std::tuple(AdditiveTechnique, "Lixel/Receiver", "Lixel/Surface"),
+          std::tuple(IntegratedTechnique, "", "Lixel/Surface/Integrated")}) {
         MaterialScene scene(technique, receiver);
         LogCollector log;
         scene.stage.sceneManager().setShadowTextureCount(0);
@@ -74,12 +72,12 @@ TEST(NoMaps, AreNamedWithTheTexturesThatAreMissing) {
 }
 
 TEST(NoMaps, AreNoNewsWhereNoShadowsAreWanted) {
-    SceneWithoutSetups scene(Additive, "Lixel/Receiver");
+    SceneWithoutSetups scene(AdditiveTechnique, "Lixel/Receiver");
     LogCollector log;
     scene.stage.sceneManager().setShadowTechnique(Ogre::SHADOWTYPE_NONE);
     drawFor(scene);
     EXPECT_EQ(log.count("Lixel:"), 0U) << "no technique: " << log.all();
-    scene.stage.sceneManager().setShadowTechnique(Additive);
+    scene.stage.sceneManager().setShadowTechnique(AdditiveTechnique);
     scene.stage.window().getViewport(0)->setShadowsEnabled(false);
     drawFor(scene);
     EXPECT_EQ(log.count("Lixel:"), 0U) << "a viewport without: " << log.all();
@@ -95,7 +93,7 @@ TEST(NoMaps, AreNoNewsWhereNoShadowsAreWanted) {
 }
 
 TEST(NoMaps, AreNoNewsOfSetupsThatAreObserved) {
-    SceneWithoutSetups scene(Additive, "Lixel/Receiver");
+    SceneWithoutSetups scene(AdditiveTechnique, "Lixel/Receiver");
     scene.stage.sceneManager().setShadowCameraSetup(
         ObservedShadowCameraSetup::create(Ogre::DefaultShadowCameraSetup::create()));
     LogCollector log;
@@ -104,7 +102,7 @@ TEST(NoMaps, AreNoNewsOfSetupsThatAreObserved) {
 }
 
 TEST(NoMaps, AreNoNewsOfForeignMaterials) {
-    SceneWithoutSetups scene(Integrated, "");
+    SceneWithoutSetups scene(IntegratedTechnique, "");
     setShadowMaterials(scene.stage.sceneManager(), "", "Test/DepthCaster");
     scene.stage.sceneManager().setShadowTextureSettings(256, 3, Ogre::PF_DEPTH16);
     LogCollector log;

@@ -14,7 +14,6 @@
 namespace Lixel::Tests {
 namespace {
 
-constexpr auto Integrated = Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED;
 const char* const Group = "Edited";
 
 /// A resource group of one script, which is edited.
@@ -60,7 +59,7 @@ std::string refusalOf(const std::string& name, Ogre::Light& light) {
 
 /// A scene in which one light shines, and shadows are off until something turns them on.
 struct UnshadowedScene : MaterialScene {
-    explicit UnshadowedScene(const std::string& material) : MaterialScene(Integrated, "") {
+    explicit UnshadowedScene(const std::string& material) : MaterialScene(IntegratedTechnique, "") {
         Ogre::SceneManager& manager = stage.sceneManager();
         manager.setShadowTechnique(Ogre::SHADOWTYPE_NONE);
         for (Ogre::Light* light : lights) {
@@ -78,7 +77,7 @@ TEST(Presets, DrawWhatCallsDraw) {
         UnshadowedScene scene("Lixel/Surface/Integrated/Maps3");
         Ogre::SceneManager& manager = scene.stage.sceneManager();
         Ogre::Light& sun = *scene.lights.front();
-        manager.setShadowTechnique(Integrated);
+        manager.setShadowTechnique(IntegratedTechnique);
         manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
         manager.setShadowTextureSettings(1024, 3, Ogre::PF_FLOAT32_R);
         manager.setShadowTextureSelfShadow(true);

@@ -17,9 +17,9 @@ namespace {
 
 using namespace Samples;
 
-constexpr int Width = 640;
-constexpr int Height = 480;
-constexpr int MapSize = 1024;
+constexpr int PictureWidth = 640;
+constexpr int PictureHeight = 480;
+constexpr int MapTexels = 1024;
 
 /// The bias that programs draw with, in units of stored depth: ShadowParameters' RoundingBias.
 constexpr double DrawnBias = 0x1p-19;
@@ -37,13 +37,13 @@ constexpr double SubTexels = 256.0;
     decides more than this: @see Range.
 
     A depth is stored in a float and read with a bias of DrawnBias, which is some length in the
-    world, `depthError`. It moves an edge by about as much; a texel is shadowDistance / MapSize
+    world, `depthError`. It moves an edge by about as much; a texel is shadowDistance / MapTexels
     wide on the average. OGRE's LiSPSM maps lose a tenth of a unit in this way, as their clip z
     changes hundreds of times more across the light than along it, and as much again in the slope
     of a receiver, which programs derive from neighbouring pixels. The emulation leaves both out.
 */
 double tolerance(double depthError, double shadowDistance) {
-    return 4.0 / SubTexels + depthError / (shadowDistance / MapSize);
+    return 4.0 / SubTexels + depthError / (shadowDistance / MapTexels);
 }
 
 /// Errors are counts of pixels; a few at corners go either way.
@@ -167,7 +167,7 @@ class Emulation : public testing::TestWithParam<const char*> {};
 class BothWays {
 public:
     explicit BothWays(const SampleScene& scene)
-        : mStage({.headless = true, .width = Width, .height = Height}),
+        : mStage({.headless = true, .width = PictureWidth, .height = PictureHeight}),
           mReach(static_cast<double>(scene.shadowDistance)) {
         mStage.show(scene);
         mOracle.emplace(collectTriangles(mStage.sceneManager()));
@@ -179,13 +179,13 @@ public:
     void set(const SampleView& view, const SampleLight& light) {
         mStage.setView(view);
         mStage.setLight(light);
-        mEmulation->setView(oracleView(mStage.camera(), Width, Height, mReach));
+        mEmulation->setView(oracleView(mStage.camera(), PictureWidth, PictureHeight, mReach));
         mEmulation->setLight(oracleLight(mStage.light()));
     }
 
     void compare(const NamedSetup& setup) {
         std::vector<EmulatedMap> maps =
-            MapCapture(mStage).capture(setup, MapSize, mReach, mOracle->scene().wsOrigin);
+            MapCapture(mStage).capture(setup, MapTexels, mReach, mOracle->scene().wsOrigin);
         ASSERT_EQ(maps.size(), 1U);
         const double depthError = DrawnBias / maps.front().depthPerWorldUnit;
         maps.front().extraBias = depthError;

@@ -7,8 +7,6 @@ namespace Lixel::Tests {
 namespace {
 
 /// Left of the box, in its shadow; the sun is on the right, 45 degrees high.
-const Ogre::Vector3 InShadow(-2, 0, 0);
-const Ogre::Vector3 InTheSun(4, 0, 0);
 
 /// Errors of a settled frame of this scene are some tenths of a percent, at texel edges.
 constexpr double GoodFrame = 0.5;

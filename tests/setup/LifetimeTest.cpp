@@ -8,7 +8,6 @@
 namespace Lixel::Tests {
 namespace {
 
-const Ogre::Vector3 InShadow(-2, 0, 0);
 /// OGRE knows it by PluginFolder of plugins.cfg, "/", and the path there.
 const Ogre::String Plugin = "/" LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
 

@@ -6,15 +6,9 @@
 #include <Lixel/scene/OgreVersions.h>
 
 #include <functional>
-#include <limits>
 
 namespace Lixel::Tests {
 namespace {
-
-constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float Infinity = std::numeric_limits<float>::infinity();
-const Ogre::Vector3 InShadow(-2, 0, 0);
-const Ogre::Vector3 InTheSun(4, 0, 0);
 
 class LightGuarded : public testing::Test {
 protected:

@@ -27,9 +27,6 @@ std::string refusal(Call call) {
     return "accepted";
 }
 
-constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float Infinity = std::numeric_limits<float>::infinity();
-
 TEST(Options, FilterRadius) {
     UniformShadowCameraSetup setup;
     EXPECT_EQ(setup.getFilterRadius(), 1.0F);

@@ -8,8 +8,6 @@
 namespace Lixel::Tests {
 namespace {
 
-const Ogre::Vector3 InShadow(-2, 0, 0);
-
 TEST(Sharing, OneSurveyServesAllLights) {
     struct Surveys : ShadowMapObserver {
         Surveys() { addShadowMapObserver(*this); }

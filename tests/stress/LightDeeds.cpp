@@ -18,7 +18,7 @@ Ogre::SceneNode& nodeOf(World& world, Ogre::Light& light) {
     return *light.getParentSceneNode();
 }
 
-std::string create(Application& application, World& world, Random& random) {
+std::string createLight(Application& application, World& world, Random& random) {
     // Sometimes under a name that was given before.
     const bool again = random.oneIn(3) && !world.manager->hasLight("Again");
     Lamp* const lamp = application.addLamp(world, again ? "Again" : application.newName("Light"));
@@ -28,7 +28,7 @@ std::string create(Application& application, World& world, Random& random) {
     return lamp->light->getName();
 }
 
-std::string destroy(Application&, World& world, Random& random) {
+std::string destroyLight(Application&, World& world, Random& random) {
     Lamp* const lamp = anyOf(world.lamps, random);
     if (lamp == nullptr) return {};
     std::string name = lamp->light->getName();
@@ -37,7 +37,7 @@ std::string destroy(Application&, World& world, Random& random) {
     return name;
 }
 
-std::string move(Application&, World& world, Random& random) {
+std::string moveLight(Application&, World& world, Random& random) {
     Lamp* const lamp = anyOf(world.lamps, random);
     if (lamp == nullptr) return {};
     Ogre::SceneNode& node = nodeOf(world, *lamp->light);
@@ -95,7 +95,7 @@ std::string spoil(Application& application, World& world, Random& random) {
     return lamp->light->getName() + (bad ? " has no direction" : " has its direction again");
 }
 
-std::string setFlags(Application&, World& world, Random& random) {
+std::string setLightFlags(Application&, World& world, Random& random) {
     Lamp* const lamp = anyOf(world.lamps, random);
     if (lamp == nullptr) return {};
     Ogre::Light& light = *lamp->light;
@@ -167,13 +167,13 @@ std::string release(Application& application, World&, Random& random) {
 
 const std::vector<Deed>& lightDeeds() {
     static const std::vector<Deed> deeds{
-        {"create light", 9, create},
-        {"destroy light", 4, destroy},
-        {"move light", 14, move},
+        {"create light", 9, createLight},
+        {"destroy light", 4, destroyLight},
+        {"move light", 14, moveLight},
         {"type of light", 6, changeType},
         {"reach of light", 5, setReach},
         {"NaN light", 5, spoil},
-        {"flags of light", 4, setFlags},
+        {"flags of light", 4, setLightFlags},
         {"carry light", 1, carry},
         {"make setup", 8, makeSetup},
         {"use setup", 9, useSetup},

@@ -9,7 +9,7 @@ constexpr std::size_t MostWorlds = 3;
 constexpr auto LightTypes = {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT,
                              Ogre::Light::LT_POINT};
 
-std::string create(Application& application, World&, Random& random) {
+std::string createSceneManager(Application& application, World&, Random& random) {
     if (application.worlds.size() == MostWorlds) return {};
     World& world = application.addWorld(random.oneIn(2) ? "" : "OctreeSceneManager");
     for (const std::string& mesh : Application::meshes())
@@ -21,7 +21,7 @@ std::string create(Application& application, World&, Random& random) {
     return world.manager->getName();
 }
 
-std::string destroy(Application& application, World& world, Random& random) {
+std::string destroySceneManager(Application& application, World& world, Random& random) {
     if (application.worlds.size() < 2 || !random.oneIn(2)) return {};
     std::string name = world.manager->getName();
     for (std::size_t i = 0; i < application.worlds.size(); ++i)
@@ -182,8 +182,8 @@ std::string restart(Application& application, World&, Random& random) {
 
 const std::vector<Deed>& sceneDeeds() {
     static const std::vector<Deed> deeds{
-        {"create scene manager", 2, create},
-        {"destroy scene manager", 2, destroy},
+        {"create scene manager", 2, createSceneManager},
+        {"destroy scene manager", 2, destroySceneManager},
         {"shadow technique", 5, setTechnique},
         {"shadow textures", 6, setTextures},
         {"textures per light", 4, setCountPerType},

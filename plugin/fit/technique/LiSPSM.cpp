@@ -29,18 +29,17 @@ WarpChoice lispsmWarp(const WarpContext& context, const LiSPSMOptions& options) 
     return {length * view.direction, view.reason()};
 }
 
-constexpr std::array Declared{
-    option<&LiSPSMOptions::distanceFactor>(
-        "distance_factor", above(0.0), "",
-        "distance of the perspective's apex: 1 is the paper's n_opt, with the same perspective "
-        "error near and far; smaller favours the near"),
-};
-
 } // namespace
 
 const FitTechnique& LiSPSMOptions::technique() {
+    static constexpr std::array options{
+        option<&LiSPSMOptions::distanceFactor>(
+            "distance_factor", above(0.0), "",
+            "distance of the perspective's apex: 1 is the paper's n_opt, with the same perspective "
+            "error near and far; smaller favours the near"),
+    };
     static constexpr FitTechnique declared = declare<LiSPSMOptions, lispsmWarp>(
-        "LiSPSM", "light space perspective", "Wimmer, Scherzer and Purgathofer 2004", Declared);
+        "LiSPSM", "light space perspective", "Wimmer, Scherzer and Purgathofer 2004", options);
     return declared;
 }
 

@@ -90,21 +90,21 @@ WarpChoice planeOptimalWarp(const WarpContext& context, const PlaneOptimalOption
     return {warp, pull < 1.0 ? FitReason::WarpClamped : FitReason::None};
 }
 
-constexpr std::array Declared{
-    option<&PlaneOptimalOptions::wsPlane>("plane",
-                                          "the plane in the world that the map is made for"),
-    option<&PlaneOptimalOptions::exact>(
-        "exact", "whether the map is exactly the viewer's picture of the plane, free of aliasing "
-                 "there, while receivers that it has no place for stay lit; without, the plane "
-                 "picks the warp and everything is served"),
-};
-
 } // namespace
 
 const FitTechnique& PlaneOptimalOptions::technique() {
+    static constexpr std::array options{
+        option<&PlaneOptimalOptions::wsPlane>("plane",
+                                              "the plane in the world that the map is made for"),
+        option<&PlaneOptimalOptions::exact>(
+            "exact",
+            "whether the map is exactly the viewer's picture of the plane, free of aliasing "
+            "there, while receivers that it has no place for stay lit; without, the plane "
+            "picks the warp and everything is served"),
+    };
     static constexpr FitTechnique declared = declare<PlaneOptimalOptions, planeOptimalWarp>(
         "PlaneOptimal", "warped as one plane wants it, such as the ground",
-        "Chong and Gortler 2004", Declared);
+        "Chong and Gortler 2004", options);
     return declared;
 }
 

@@ -31,15 +31,14 @@ WarpChoice faceWarp(const WarpContext& context, const CubeOptions& options) {
     return {warpOf(covector, region.liHull, region.liCentre), FitReason::None};
 }
 
-constexpr std::array Declared{
-    option<&CubeOptions::slideBack>("slide_back", atLeast(0.0), "", "as for PSM"),
-};
-
 } // namespace
 
 const FitTechnique& CubeOptions::technique() {
+    static constexpr std::array options{
+        option<&CubeOptions::slideBack>("slide_back", atLeast(0.0), "", "as for PSM"),
+    };
     static constexpr FitTechnique declared = declare<CubeOptions, faceWarp>(
-        "PostProjectiveCube", "cube map of post-projective space", "Kozlov 2004", Declared);
+        "PostProjectiveCube", "cube map of post-projective space", "Kozlov 2004", options);
     return declared;
 }
 

@@ -45,13 +45,6 @@ WarpChoice psmWarp(const WarpContext& context, const PsmOptions& options, RuleSt
     return {view.fade * warp, view.reason()};
 }
 
-constexpr std::array Declared{
-    option<&PsmOptions::slideBack>(
-        "slide_back", atLeast(0.0), "",
-        "how far the virtual viewer slides back, relative to the geometric mean of the nearest and "
-        "farthest receiver's depth: 0 favours the near, 1 makes near and far alike"),
-};
-
 } // namespace
 
 Mat4 virtualViewer(const ShadowViewer& viewer, double slideBack, double nearest, double farthest) {
@@ -69,9 +62,16 @@ Mat4 virtualViewer(const ShadowViewer& viewer, double slideBack, double nearest,
 }
 
 const FitTechnique& PsmOptions::technique() {
+    static constexpr std::array options{
+        option<&PsmOptions::slideBack>(
+            "slide_back", atLeast(0.0), "",
+            "how far the virtual viewer slides back, relative to the geometric mean of the nearest "
+            "and "
+            "farthest receiver's depth: 0 favours the near, 1 makes near and far alike"),
+    };
     static constexpr FitTechnique declared =
         declare<PsmOptions, psmWarp>("PSM", "perspective, in the viewer's space",
-                                     "Stamminger and Drettakis 2002, Kozlov 2004", Declared);
+                                     "Stamminger and Drettakis 2002, Kozlov 2004", options);
     return declared;
 }
 

@@ -95,19 +95,19 @@ WarpChoice trapezoidalWarp(const WarpContext& context, const TrapezoidalOptions&
                                        : warpOfALamp(context, options, depths);
 }
 
-constexpr std::array Declared{
-    option<&TrapezoidalOptions::focusDistance>("focus_distance", strictlyBetween(0.0, 1.0), "",
-                                               "up to where the focus reaches, as a part of the "
-                                               "distance to the farthest receiver that matters"),
-    option<&TrapezoidalOptions::focusShare>("focus_share", strictlyBetween(0.0, 1.0), "",
-                                            "how much of the map the focus takes"),
-};
-
 } // namespace
 
 const FitTechnique& TrapezoidalOptions::technique() {
+    static constexpr std::array options{
+        option<&TrapezoidalOptions::focusDistance>(
+            "focus_distance", strictlyBetween(0.0, 1.0), "",
+            "up to where the focus reaches, as a part of the "
+            "distance to the farthest receiver that matters"),
+        option<&TrapezoidalOptions::focusShare>("focus_share", strictlyBetween(0.0, 1.0), "",
+                                                "how much of the map the focus takes"),
+    };
     static constexpr FitTechnique declared = declare<TrapezoidalOptions, trapezoidalWarp>(
-        "Trapezoidal", "trapezoid, 80 % for the near", "Martin and Tan 2004", Declared);
+        "Trapezoidal", "trapezoid, 80 % for the near", "Martin and Tan 2004", options);
     return declared;
 }
 

@@ -99,12 +99,6 @@ protected:
     Trial mTrial;
 };
 
-/// How far inside the map's border a texel coordinate is; negative outside.
-double insideBorder(const Vec2& texel, const Scene& scene) {
-    const Vec2 size(scene.mapWidth, scene.mapHeight);
-    return std::min(texel.minCoeff(), (size - texel).minCoeff());
-}
-
 void expectInvertible(const Mat4& m) {
     RC_ASSERT(m.allFinite());
     const Mat4 inverse = m.inverse();

@@ -17,9 +17,6 @@ using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 /// What spoils a good scene, and what is to be said of it.
 struct Spoiler {
     const char* name;

@@ -18,7 +18,7 @@ using namespace Lixel::Test;
 
 namespace {
 
-constexpr std::size_t RaysPerScene = 100;
+constexpr std::size_t RaysPerDivision = 100;
 
 struct Combination {
     std::string name;
@@ -50,11 +50,6 @@ void PrintTo(const Combination& combination, std::ostream* out) {
 
 class PartsContract : public testing::TestWithParam<Combination> {};
 
-double insideBorder(const Vec2& texel, const Scene& scene) {
-    const Vec2 size(scene.mapWidth, scene.mapHeight);
-    return std::min(texel.minCoeff(), (size - texel).minCoeff());
-}
-
 } // namespace
 
 INSTANTIATE_TEST_SUITE_P(EveryDivision, PartsContract, testing::ValuesIn(combinations()), ByName{});
@@ -77,7 +72,7 @@ TEST_P(PartsContract, HoldsForEveryShadowedPoint) {
         // An aimed spot may be too wide; it is tested where it says so.
         if (parts.count == 0) return;
         std::array<std::optional<ShadowFit>, LightPartition::Capacity> fits;
-        for (const ShadowedPoint& point : shadowedPoints(scene, dice, RaysPerScene)) {
+        for (const ShadowedPoint& point : shadowedPoints(scene, dice, RaysPerDivision)) {
             const std::size_t i = parts.serving(point.wsReceiver);
             if (!fits[i]) {
                 FitState state;

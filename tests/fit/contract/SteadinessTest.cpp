@@ -15,14 +15,12 @@
 #include <Eigen/LU>
 
 #include <iomanip>
-#include <numbers>
 
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Degree = std::numbers::pi / 180.0;
 constexpr double Step = 1e-4;
 constexpr double MostChange = 0.02;
 /// Nothing flatter to the view or the light is measured.

@@ -13,8 +13,6 @@ using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 FocusRegion regionOf(const Scene& scene) {
     FocusScratch scratch;
     FocusRegion region;

@@ -23,7 +23,7 @@ LightImage anyImage(Dice& dice) {
 }
 
 /// Points, many of them equal, on one line, or on one line up to rounding.
-std::vector<Vec2> anyPoints(Dice& dice) {
+std::vector<Vec2> anyImagePoints(Dice& dice) {
     std::vector<Vec2> points;
     const std::size_t count = 1 + dice.below(60);
     const bool coarse = dice.chance(0.4);
@@ -55,7 +55,7 @@ ImageHull hullOf(const LightImage& image, std::span<const Vec2> points, Dice& di
 RC_GTEST_PROP(ImageHull, IsTheHullOfItsPoints, ()) {
     Dice dice(*anySeed());
     const LightImage image = anyImage(dice);
-    const std::vector<Vec2> points = anyPoints(dice);
+    const std::vector<Vec2> points = anyImagePoints(dice);
     const ImageHull hull = hullOf(image, points, dice);
     // At the tip of a hull that is just wide enough not to be flat.
     const double rounding = 1e-6;
@@ -78,7 +78,7 @@ RC_GTEST_PROP(ImageHull, IsTheHullOfItsPoints, ()) {
 RC_GTEST_PROP(ImageHull, HasItsEdgesAsPlanesInTheWorld, ()) {
     Dice dice(*anySeed());
     const LightImage image = anyImage(dice);
-    const ImageHull hull = hullOf(image, anyPoints(dice), dice);
+    const ImageHull hull = hullOf(image, anyImagePoints(dice), dice);
     const Polygon2& polygon = hull.hull();
     for (std::size_t i = 0; i < hull.edges().size(); ++i) {
         const Vec2& a = polygon[i];

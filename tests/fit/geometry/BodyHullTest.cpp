@@ -13,12 +13,10 @@ using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /// Of bodies of size 1 and 10 units away: a thousandth of what a float's positions leave.
 constexpr double Rounding = 1e-10;
 
-std::vector<Vec3> anyPoints(Dice& dice) {
+std::vector<Vec3> anyBody(Dice& dice) {
     std::vector<Vec3> points(1 + dice.below(40));
     const Vec3 offset = 10.0 * dice.cube();
     const Vec3 scale(dice.chance(0.1) ? 0.0 : 1.0, dice.in(0.01, 1.0), dice.chance(0.1) ? 0.0 : 2);
@@ -39,7 +37,7 @@ std::vector<Vec3> placed(const BodyHull& hull, const Transform3& wsFromBody) {
 
 RC_GTEST_PROP(BodyHull, HoldsItsPoints, ()) {
     Dice dice(*anySeed());
-    const std::vector<Vec3> points = anyPoints(dice);
+    const std::vector<Vec3> points = anyBody(dice);
     const BodyHull hull = makeBodyHull(points);
     RC_ASSERT(!hull.empty());
     for (int i = 0; i < 100; ++i) {
@@ -50,7 +48,7 @@ RC_GTEST_PROP(BodyHull, HoldsItsPoints, ()) {
 
 RC_GTEST_PROP(BodyHull, ReachesHardlyBeyondItsPoints, ()) {
     Dice dice(*anySeed());
-    const std::vector<Vec3> points = anyPoints(dice);
+    const std::vector<Vec3> points = anyBody(dice);
     const BodyHull hull = makeBodyHull(points);
     for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
@@ -111,7 +109,7 @@ TEST(BodyHull, OfNothingOrOfWhatIsNotANumberIsEmpty) {
 /// However many are added at a time, to the last bit.
 RC_GTEST_PROP(BodyHull, InPartsIsTheWhole, ()) {
     Dice dice(*anySeed());
-    std::vector<Vec3> points = anyPoints(dice);
+    std::vector<Vec3> points = anyBody(dice);
     for (std::size_t i = dice.chance(0.3) ? 600 : 0; i > 0; --i)
         points.push_back(10.0 * dice.cube());
     BodyHullBuilder builder;
@@ -131,7 +129,7 @@ RC_GTEST_PROP(BodyHull, InPartsIsTheWhole, ()) {
 /// Clipped by planes, it has no vertex outside them, and all that was inside.
 RC_GTEST_PROP(ClipHull, IsTheHullWithinTheVolume, ()) {
     Dice dice(*anySeed());
-    const BodyHull hull = makeBodyHull(anyPoints(dice));
+    const BodyHull hull = makeBodyHull(anyBody(dice));
     const Transform3 wsFromBody =
         Eigen::Translation3d(dice.cube()) *
         Eigen::AngleAxisd(dice.in(-3.0, 3.0), dice.direction()) *

@@ -10,8 +10,6 @@ using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 BoxSet anyBoxes(Dice& dice) {
     BoxSet boxes;
     const std::size_t count = dice.below(40);

@@ -1,13 +1,11 @@
 #include "fit/geometry/BoxSet.h"
 
+#include "fit/Constants.h"
+
 #include <gtest/gtest.h>
 
 using namespace Lixel;
-
-namespace {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-} // namespace
+using namespace Lixel::Test;
 
 TEST(BoxSet, CountsBadBoxesInsteadOfStoringThem) {
     BoxSet set;

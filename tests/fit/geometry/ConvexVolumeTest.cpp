@@ -17,12 +17,6 @@ using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-Dice anyDice() {
-    return Dice(*anySeed());
-}
-
 std::vector<Vec3> clipped(const Aabb& box, const ConvexVolume& volume) {
     ClipScratch scratch;
     std::vector<Vec3> points;

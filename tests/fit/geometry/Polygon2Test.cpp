@@ -69,10 +69,6 @@ Polygon2 regular(std::size_t n, double radius = 1.0) {
 
 const Polygon2 Square = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
 
-Dice anyDice() {
-    return Dice(*anySeed());
-}
-
 } // namespace
 
 TEST(SumWithRectangle, HoldsTheSumOfAnEdgeInManyParts) {

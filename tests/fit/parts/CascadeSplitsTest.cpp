@@ -8,14 +8,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
-
-constexpr double Degree = std::numbers::pi / 180.0;
 
 std::vector<double> splitsOf(const Scene& scene, std::size_t count, const CascadeOptions& options) {
     CascadeMemory memory;

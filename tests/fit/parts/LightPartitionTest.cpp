@@ -10,14 +10,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
 
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
-
-constexpr double Degree = std::numbers::pi / 180.0;
 
 /// Whether a point keeps away from every border between parts, relative to its distance.
 bool isClearOfBorders(const LightPartition& parts, const Vec3& ws) {

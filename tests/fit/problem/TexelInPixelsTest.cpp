@@ -17,10 +17,6 @@ using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Degree = std::numbers::pi / 180.0;
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /// A map of a parallel light that looks along -z at a square of 8 x 8.
 ShadowFit mapAlongZ(const Mat4& lightFromWorld = Mat4::Identity()) {
     ShadowFit fit;

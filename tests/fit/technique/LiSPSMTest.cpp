@@ -1,38 +1,21 @@
 /// The formulas of Wimmer, Scherzer and Purgathofer, where the paper derives them.
 #include "fit/technique/LiSPSM.h"
 
-#include "fit/Problems.h"
+#include "fit/technique/Corridor.h"
 
 #include "fit/focus/LightImage.h"
 #include "fit/technique/Uniform.h"
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
 
-constexpr double NearDepth = 5.0;
-constexpr double FarDepth = 45.0;
-
-/// The viewer at the origin looks along -z at a beam that casts and receives, from depth 5 to depth
-/// 45, wholly in view; thin, so that its depths are those of its image.
-Scene corridor(const Vec3& lightDirection) {
-    Scene scene;
-    scene.size = FarDepth;
-    scene.viewer.clipFromView = perspective(100.0 * std::numbers::pi / 180.0, 1.0, 0.1, 100.0);
-    scene.light.wsDirection = lightDirection;
-    scene.addBody({Vec3(0.0, 0.0, -(NearDepth + FarDepth) / 2.0),
-                   Vec3(1.0, 0.01, (FarDepth - NearDepth) / 2.0)});
-    return scene;
-}
-
-/// Row w at depth d in front of the viewer.
-double denominatorAt(const ShadowFit& fit, double depth) {
-    return clipOf(fit.clipFromWorld, Vec3(0.0, 0.0, -depth)).w();
+/// Thin, so that its depths are those of its image.
+Scene thinCorridor(const Vec3& lightDirection) {
+    return corridor(lightDirection, 0.01);
 }
 
 } // namespace
@@ -41,7 +24,7 @@ TEST(LiSPSM, ApexIsAtNOptWithTheLightAcrossTheView) {
     // γ = 90°: the denominator n_opt + d - z_n is zero at the depth z_n - n_opt.
     const double nOpt = NearDepth + std::sqrt(NearDepth * FarDepth);
     for (const double factor : {0.5, 1.0, 3.0}) {
-        const Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
+        const Scene scene = thinCorridor(Vec3(0.0, -1.0, 0.0));
         FitState state;
         const ShadowFit fit =
             fitMap(scene.problem(), LiSPSMOptions{.distanceFactor = factor}, state);
@@ -56,7 +39,7 @@ TEST(LiSPSM, ApexIsAtNOptWithTheLightAcrossTheView) {
 TEST(LiSPSM, PerspectiveErrorIsAlikeNearAndFar) {
     // Texels along the view are dense as 1 / denominator², pixels across the view as 1 / depth
     // (§4): n_opt makes the product the same at both ends.
-    const Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
+    const Scene scene = thinCorridor(Vec3(0.0, -1.0, 0.0));
     FitState state;
     const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
     const auto error = [&](double depth) {
@@ -70,8 +53,8 @@ TEST(LiSPSM, EndsOfTheRegionFollowTheGeneralFormula) {
     // n_opt = (z_n + sqrt(z_n (z_n + d sin γ))) / sin γ, at any γ. With the light tilted, z_n is a
     // bound: at least the nearest receiver's depth, at most what the region's near end has.
     for (const double degrees : {20.0, 50.0, 90.0, 130.0, 160.0}) {
-        const double angle = degrees * std::numbers::pi / 180.0;
-        const Scene scene = corridor(Vec3(0.0, -std::sin(angle), -std::cos(angle)));
+        const double angle = degrees * Degree;
+        const Scene scene = thinCorridor(Vec3(0.0, -std::sin(angle), -std::cos(angle)));
         FitState state;
         const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
         ASSERT_EQ(fit.reason, FitReason::None) << degrees;
@@ -98,7 +81,7 @@ TEST(LiSPSM, EndsOfTheRegionFollowTheGeneralFormula) {
 TEST(LiSPSM, FadesAsTheLightTurnsIntoTheView) {
     double before = std::numeric_limits<double>::infinity();
     for (const double angle : {1e-1, 1e-2, 1e-4, 1e-8, 0.0}) {
-        const Scene scene = corridor(Vec3(0.0, -std::sin(angle), -std::cos(angle)));
+        const Scene scene = thinCorridor(Vec3(0.0, -std::sin(angle), -std::cos(angle)));
         FitState state;
         const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
         EXPECT_EQ(fit.reason, FitReason::LightAlongView);
@@ -121,10 +104,10 @@ TEST(LiSPSM, RegionIsNeverInFrontOfTheNearPlane) {
 
 TEST(LiSPSM, OfALampAcrossAGroundBalancesTheGroundsDepths) {
     // The lamp hangs over the ground and shines straight down: the light image is a scaled ground.
-    Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
+    Scene scene = thinCorridor(Vec3(0.0, -1.0, 0.0));
     scene.light.kind = LightKind::Spot;
     scene.light.wsPosition = Vec3(0.0, 40.0, -25.0);
-    scene.light.outerHalfAngle = 60.0 * std::numbers::pi / 180.0;
+    scene.light.outerHalfAngle = 60.0 * Degree;
     FitState state;
     const ShadowFit fit = fitMap(scene.problem(), LiSPSMOptions{}, state);
     ASSERT_EQ(fit.reason, FitReason::None);

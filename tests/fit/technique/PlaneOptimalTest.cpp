@@ -12,16 +12,11 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <numbers>
-
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Degree = std::numbers::pi / 180.0;
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Ground = -2.0;
 const PlaneOptimalOptions Exact = {.wsPlane = Vec4(0.0, 1.0, 0.0, -Ground), .exact = true};
 const PlaneOptimalOptions Clamped = {.wsPlane = Vec4(0.0, 1.0, 0.0, -Ground), .exact = false};

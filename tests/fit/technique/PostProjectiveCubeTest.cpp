@@ -9,14 +9,10 @@
 
 #include <Eigen/LU>
 
-#include <numbers>
-
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
-
-constexpr double Degree = std::numbers::pi / 180.0;
 
 /// Where the light ray of a point leaves the view: on the plane, by an intersection.
 Vec3 exitOf(const ShadowPart& part, const ShadowLight& light, const Vec3& ws) {

@@ -12,17 +12,14 @@
 
 #include <Eigen/Dense>
 
-#include <numbers>
-
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
 
-constexpr double Degree = std::numbers::pi / 180.0;
 constexpr double Fov = 80.0 * Degree;
-constexpr double NearDepth = 6.0;
-constexpr double FarDepth = 30.0;
+constexpr double FirstDepth = 6.0;
+constexpr double LastDepth = 30.0;
 
 /// The viewer looks along -z at bodies that cast and receive, wholly in view, from depth 6 to 30.
 Scene bodies(const Vec3& lightDirection) {
@@ -30,9 +27,9 @@ Scene bodies(const Vec3& lightDirection) {
     scene.size = 10.0;
     scene.viewer.clipFromView = perspective(Fov, 1.0, 0.1, 500.0);
     scene.light.wsDirection = lightDirection;
-    scene.addBody({Vec3(1.0, -1.0, -(NearDepth + 0.5)), Vec3(0.5, 0.3, 0.5)});
+    scene.addBody({Vec3(1.0, -1.0, -(FirstDepth + 0.5)), Vec3(0.5, 0.3, 0.5)});
     scene.addBody({Vec3(-3.0, 0.5, -15.0), Vec3(1.0, 2.0, 1.0)});
-    scene.addBody({Vec3(5.0, -2.0, -(FarDepth - 2.0)), Vec3(2.0, 1.0, 2.0)});
+    scene.addBody({Vec3(5.0, -2.0, -(LastDepth - 2.0)), Vec3(2.0, 1.0, 2.0)});
     return scene;
 }
 
@@ -168,13 +165,13 @@ TEST(Psm, RowWIsTheDepthFromTheVirtualViewerUnderASideLight) {
         const Scene scene = bodies(Vec3(0.2, -1.0, 0.0));
         FitState state;
         const ShadowFit fit = fitMap(scene.problem(), PsmOptions{.slideBack = slideBack}, state);
-        const double back = slideBack * std::sqrt(NearDepth * FarDepth);
-        EXPECT_NEAR(state.region.vsReceiverNear, NearDepth, 1e-9);
-        EXPECT_NEAR(state.region.vsReceiverFar, FarDepth, 1e-9);
+        const double back = slideBack * std::sqrt(FirstDepth * LastDepth);
+        EXPECT_NEAR(state.region.vsReceiverNear, FirstDepth, 1e-9);
+        EXPECT_NEAR(state.region.vsReceiverFar, LastDepth, 1e-9);
         const auto w = [&](double depth) {
             return clipOf(fit.clipFromWorld, Vec3(1.0, 2.0, -depth)).w();
         };
-        EXPECT_NEAR(w(FarDepth) / w(NearDepth), (FarDepth + back) / (NearDepth + back), 1e-9);
+        EXPECT_NEAR(w(LastDepth) / w(FirstDepth), (LastDepth + back) / (FirstDepth + back), 1e-9);
     }
 }
 

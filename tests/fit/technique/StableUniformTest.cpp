@@ -7,14 +7,10 @@
 
 #include <Eigen/Geometry>
 
-#include <numbers>
-
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
-
-constexpr double Degree = std::numbers::pi / 180.0;
 
 /// A viewer somewhere in a large world, as OGRE hands it over: the matrix rounded to float, and all
 /// positions relative to the viewer.

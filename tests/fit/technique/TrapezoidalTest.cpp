@@ -7,23 +7,21 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
 
-constexpr double FarDepth = 40.0;
-constexpr double HalfFov = 30.0 * std::numbers::pi / 180.0;
+constexpr double BeamEnd = 40.0;
+constexpr double HalfFov = 30.0 * Degree;
 
 /// The viewer at the origin looks along -z at a thin beam that reaches from behind it to depth 40.
-Scene corridor(const Vec3& lightDirection) {
+Scene beam(const Vec3& lightDirection) {
     Scene scene;
-    scene.size = FarDepth;
+    scene.size = BeamEnd;
     scene.viewer.clipFromView = perspective(2.0 * HalfFov, 1.0, 0.1, 100.0);
     scene.light.wsDirection = lightDirection;
-    scene.addBody({Vec3(0.0, 0.0, -10.0), Vec3(0.01, 0.01, FarDepth - 10.0)});
+    scene.addBody({Vec3(0.0, 0.0, -10.0), Vec3(0.01, 0.01, BeamEnd - 10.0)});
     return scene;
 }
 
@@ -43,9 +41,9 @@ TEST(Trapezoidal, FocusPointLiesOnTheEightyPercentLine) {
     for (const double degrees : {40.0, 70.0, 90.0, 120.0})
         for (const TrapezoidalOptions& options :
              {TrapezoidalOptions{}, TrapezoidalOptions{.focusDistance = 0.1, .focusShare = 0.5}}) {
-            const double angle = degrees * std::numbers::pi / 180.0;
+            const double angle = degrees * Degree;
             const double sine = std::sin(angle);
-            const Scene scene = corridor(Vec3(0.0, -sine, -std::cos(angle)));
+            const Scene scene = beam(Vec3(0.0, -sine, -std::cos(angle)));
             FitState state;
             const ShadowFit fit = fitMap(scene.problem(), options, state);
             ASSERT_EQ(fit.reason, FitReason::None) << degrees;
@@ -71,7 +69,7 @@ TEST(Trapezoidal, FocusPointLiesOnTheEightyPercentLine) {
 TEST(Trapezoidal, ApexIsAtThePapersEta) {
     // η = (λ d' + λ d' ξ) / (λ - 2 d' - λ ξ), ξ = -0.6 on the 80 % line; γ = 90°, so that the
     // frustum's image starts at the viewer and ends at its far depth.
-    const Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
+    const Scene scene = beam(Vec3(0.0, -1.0, 0.0));
     FitState state;
     const ShadowFit fit = fitMap(scene.problem(), TrapezoidalOptions{}, state);
     const double lambda = state.region.vsReceiverFar;
@@ -86,7 +84,7 @@ TEST(Trapezoidal, ApexIsAtThePapersEta) {
 }
 
 TEST(Trapezoidal, ShareThatIsThereAlreadyNeedsNoWarp) {
-    const Scene scene = corridor(Vec3(0.0, -1.0, 0.0));
+    const Scene scene = beam(Vec3(0.0, -1.0, 0.0));
     FitState state;
     const ShadowFit fit = fitMap(
         scene.problem(), TrapezoidalOptions{.focusDistance = 0.85, .focusShare = 0.8}, state);
@@ -106,7 +104,7 @@ TEST(Trapezoidal, FrustumHoldsTheRegion) {
 }
 
 TEST(Trapezoidal, MinersLampIsUniform) {
-    const Scene scene = corridor(Vec3(0.0, 0.0, -1.0));
+    const Scene scene = beam(Vec3(0.0, 0.0, -1.0));
     FitState state;
     const ShadowFit fit = fitMap(scene.problem(), TrapezoidalOptions{}, state);
     EXPECT_EQ(fit.reason, FitReason::LightAlongView);

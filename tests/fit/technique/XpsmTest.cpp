@@ -1,7 +1,7 @@
 /// Gusev's own formulas, at the places where the paper states them.
 #include "fit/technique/Xpsm.h"
 
-#include "fit/Problems.h"
+#include "fit/technique/Corridor.h"
 
 #include "fit/core/Warp.h"
 #include "fit/focus/LightImage.h"
@@ -10,54 +10,26 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <numbers>
-
 using namespace Lixel;
 using namespace Lixel::Test;
 
 namespace {
-
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-constexpr double NearDepth = 5.0;
-constexpr double FarDepth = 45.0;
 
 /// The technique as the paper has it: eq. (3) and §3.2 alone pick the length.
 XpsmOptions literal(double strength, double epsilonW = 0.7) {
     return {.strength = strength, .epsilonW = epsilonW, .guarded = false};
 }
 
-/// The viewer at the origin looks along -z at a beam that casts and receives, from depth 5 to depth
-/// 45, of the given half height around a height; wholly in view.
-Scene corridor(const Vec3& lightDirection, double halfHeight = 1.0, double height = 0.0) {
-    Scene scene;
-    scene.size = FarDepth;
-    scene.viewer.clipFromView = perspective(100.0 * std::numbers::pi / 180.0, 1.0, 0.1, 100.0);
-    scene.light.wsDirection = lightDirection;
-    const Aabb box{Vec3(0.0, height, -(NearDepth + FarDepth) / 2.0),
-                   Vec3(1.0, halfHeight, (FarDepth - NearDepth) / 2.0)};
-    scene.addBody(box);
-    return scene;
-}
-
 Scene lampedCorridor(const Vec3& position, const Vec3& direction) {
     Scene scene = corridor(direction);
     scene.light.kind = LightKind::Spot;
     scene.light.wsPosition = position;
-    scene.light.outerHalfAngle = 70.0 * std::numbers::pi / 180.0;
+    scene.light.outerHalfAngle = 70.0 * Degree;
     return scene;
 }
 
 double coefOf(const XpsmOptions& options) {
     return options.strength / std::sqrt(NearDepth * FarDepth);
-}
-
-/// Row w at depth d in front of the viewer, relative to the viewer's own.
-double denominatorAt(const ShadowFit& fit, double depth) {
-    const Vec4 at = clipOf(fit.clipFromWorld, Vec3(0.0, 0.0, -depth));
-    const Vec4 viewer = clipOf(fit.clipFromWorld, Vec3::Zero());
-    return at.w() / viewer.w();
 }
 
 /// The least denominator of the focus region, relative to that at the viewer's image.
@@ -85,7 +57,7 @@ TEST(Xpsm, DenominatorGrowsWithDepthByCoef) {
     // §3.2, whatever the angle between view and light, as long as eq. (3) does not bind.
     for (const double strength : {0.25, 1.0, 2.0})
         for (const double degrees : {15.0, 30.0, 60.0, 90.0, 100.0}) {
-            const Scene scene = corridor(lightAt(degrees * std::numbers::pi / 180.0));
+            const Scene scene = corridor(lightAt(degrees * Degree));
             const XpsmOptions options = literal(strength);
             FitState state;
             const ShadowFit fit = fitMap(scene.problem(), options, state);
