@@ -8,23 +8,6 @@
 #include <OgreSceneNode.h>
 
 namespace Lixel {
-namespace {
-
-/// The object at the end of a way, if there still is one.
-const Ogre::MovableObject* follow(const std::vector<std::size_t>& way,
-                                  const Ogre::SceneNode& root) {
-    if (way.empty()) return nullptr;
-    const Ogre::SceneNode* node = &root;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-        const auto& children = node->getChildren();
-        if (way[i] >= children.size()) return nullptr;
-        node = static_cast<const Ogre::SceneNode*>(children[way[i]]);
-    }
-    const auto& objects = node->getAttachedObjects();
-    return way.back() < objects.size() ? objects[way.back()] : nullptr;
-}
-
-} // namespace
 
 const BoxSet& CasterSearch::find(const Survey& survey, const ShadowLight& light,
                                  double shadowDistance) {
@@ -36,7 +19,6 @@ const BoxSet& CasterSearch::find(const Survey& survey, const ShadowLight& light,
     if (!receivers.empty() && receivers.invalid() == 0 && CasterSweep::isUsable(light) &&
         mReach.set(viewer, light, survey.receiverBounds(), survey.wsOrigin()))
         collect(survey, mReach.volume());
-    if (mCasters.empty() && mCasters.invalid() == 0) addWitness(survey);
     return mCasters;
 }
 
@@ -63,41 +45,16 @@ void CasterSearch::collect(const Survey& survey, const NodeCuller& volume) {
     }
 }
 
-bool CasterSearch::add(const Survey& survey, const Ogre::MovableObject& object) {
+void CasterSearch::add(const Survey& survey, const Ogre::MovableObject& object) {
     const Ogre::AxisAlignedBox& bounds = object.getWorldBoundingBox();
-    if (bounds.isNull() || !survey.rules().draws(object) || !survey.rules().casts(object))
-        return false;
+    if (bounds.isNull() || !survey.rules().draws(object) || !survey.rules().casts(object)) return;
     if (bounds.isInfinite()) {
         mCasters.addUnbounded();
-        return true;
+        return;
     }
     const std::size_t index = mCasters.size();
     mCasters.add(relativeBox(bounds, survey.wsOrigin()));
     if (mCasters.size() > index) mShapes.add(object);
-    return true;
-}
-
-void CasterSearch::addWitness(const Survey& survey) {
-    Ogre::SceneNode& root = *survey.rules().sceneManager().getRootSceneNode();
-    const Ogre::MovableObject* const last = follow(mWitness, root);
-    if (last != nullptr && add(survey, *last)) return;
-    mWitness.clear();
-    searchWitness(survey, root);
-}
-
-bool CasterSearch::searchWitness(const Survey& survey, Ogre::SceneNode& node) {
-    const auto& objects = node.getAttachedObjects();
-    const auto& children = node.getChildren();
-    const std::size_t depth = mWitness.size();
-    mWitness.push_back(0);
-    for (std::size_t& i = mWitness[depth]; i < objects.size(); ++i)
-        if (add(survey, *objects[i])) return true;
-    for (std::size_t i = 0; i < children.size(); ++i) {
-        mWitness[depth] = i;
-        if (searchWitness(survey, static_cast<Ogre::SceneNode&>(*children[i]))) return true;
-    }
-    mWitness.pop_back();
-    return false;
 }
 
 } // namespace Lixel

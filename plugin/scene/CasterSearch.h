@@ -9,11 +9,9 @@ namespace Lixel {
 
     Those behind the viewer are among them: what decides is whether a light ray goes through the
     caster's box to a point that is in view, within the receivers' bounds and the shadow distance.
-    A fit gives the same result with these casters as with all of the scene's. If the scene has any
-    caster, at least one is returned (the witness), so that "no caster" and "nothing is shadowed"
-    can be told apart. Casters without bounds are always counted.
-
-    Only the place of the last witness is remembered. It is tried first the next time.
+    A fit gives the same result with these casters as with all of the scene's; only where no
+    receiver is in view it may say instead that nothing is shadowed. Casters without
+    bounds are always counted.
 */
 class LIXEL_API CasterSearch {
 public:
@@ -32,17 +30,13 @@ public:
 private:
     void clear(const Survey& survey);
     void collect(const Survey& survey, const NodeCuller& volume);
-    /// @return whether the object casts
-    bool add(const Survey& survey, const Ogre::MovableObject& object);
-    void addWitness(const Survey& survey);
-    bool searchWitness(const Survey& survey, Ogre::SceneNode& node);
+    /// Adds the object if it casts.
+    void add(const Survey& survey, const Ogre::MovableObject& object);
 
     BoxSet mCasters;
     ObjectShapes mShapes;
     CasterSweep mReach;
     std::vector<Ogre::SceneNode*> mNodes;
-    /// The way from the root node to a caster: which children to take, and which object in the end.
-    std::vector<std::size_t> mWitness;
 };
 
 } // namespace Lixel

@@ -32,8 +32,6 @@ constexpr Role Nothing{false, false};
 class SurveyChangeTest : public SceneTest {
 protected:
     SurveyChangeTest() {
-        // Where a search finds no caster it names one; the first of the scene graph.
-        mRootNode->attachObject(drawTriangle(mManager->createManualObject(), Vector3(0, 0, 900)));
         addCube(Vector3(0, -5, -10), 4)->setCastShadows(false);
         mParent = mRootNode->createChildSceneNode(Vector3(0, 0, -10));
         mCube = addCube(Vector3(0, 0, 0), 0.5f, true, mParent);

@@ -104,7 +104,7 @@ TEST_P(BadInput, EmptyScene) {
     for (int i = 0; i < 3; ++i)
         scene.stage.drawFrame();
     EXPECT_FALSE(last.fit.hasMap());
-    EXPECT_EQ(last.fit.reason, FitReason::NoCasters);
+    EXPECT_EQ(last.fit.reason, FitReason::NoReceivers);
     EXPECT_EQ(log.count("Lixel:"), 0U) << "a light that shadows nothing is no news";
     scene.stage.sceneManager().getRootSceneNode()->addChild(scene.ground);
     EXPECT_GE(scene.visibilityAt(InShadow), 128);

@@ -19,7 +19,8 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
 
     const BoxSet& casters = *problem.casters;
     const BoxSet& receivers = *problem.receivers;
-    if (casters.empty()) return stop(FitReason::NoCasters);
+    if (receivers.empty()) return stop(FitReason::NoReceivers);
+    if (casters.empty()) return stop(FitReason::NothingShadowed);
 
     // Visible receivers, clipped to what the viewer sees and the light reaches.
     const ConvexVolume lit = lightVolume(problem.light, image);

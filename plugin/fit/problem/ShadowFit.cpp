@@ -20,8 +20,6 @@ const char* toString(FitReason reason) noexcept {
         return "a stable map needs a view that ends";
     case FitReason::NoReceivers:
         return "no receiver in view";
-    case FitReason::NoCasters:
-        return "no caster";
     case FitReason::NothingShadowed:
         return "nothing in view is shadowed";
     case FitReason::Unbounded:

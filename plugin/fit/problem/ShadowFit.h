@@ -29,9 +29,7 @@ enum class FitReason {
     // From here on there is no map to draw.
     /// No receiver is in view.
     NoReceivers,
-    /// There is no caster.
-    NoCasters,
-    /// Casters there are, but none between the light and a visible receiver.
+    /// No caster is between the light and a visible receiver.
     NothingShadowed,
     /// A receiver without bounds, seen by a viewer without a far plane or shadow distance.
     Unbounded,

@@ -84,7 +84,7 @@ std::vector<Spoiler> spoilers() {
          [](Scene& s) {
              s.receivers.add({Vec3::Zero(), Vec3(1, 1, -1)});
          }},
-        {"NoCaster", FitReason::NoCasters, [](Scene& s) { s.casters.clear(); }},
+        {"NoCaster", FitReason::NothingShadowed, [](Scene& s) { s.casters.clear(); }},
         {"NoReceiver", FitReason::NoReceivers, [](Scene& s) { s.receivers.clear(); }},
         {"UnboundedReceiverAndView", FitReason::Unbounded,
          [](Scene& s) {

@@ -106,7 +106,7 @@ TEST(FocusRegion, LeavesOutWhatIsBehindEveryReceiver) {
 
 TEST(FocusRegion, SaysWhyThereIsNone) {
     Scene scene = noon();
-    EXPECT_EQ(regionOf(scene).reason, FitReason::NoCasters);
+    EXPECT_EQ(regionOf(scene).reason, FitReason::NothingShadowed);
     scene.casters.add({Vec3(0.0, 1.0, 0.0), Vec3(0.5, 0.5, 0.5)});
     EXPECT_EQ(regionOf(scene).reason, FitReason::None);
     scene.receivers.clear();
