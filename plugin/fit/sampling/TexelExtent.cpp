@@ -84,7 +84,6 @@ MapSides smallestMap(const double* x, const double* y, std::size_t count) {
 namespace {
 
 /// The hull warped: q / (1 + w . q).
-LIXEL_MULTIVERSION
 void warpAll(const double* x, const double* y, std::size_t count, const Vec2& warp, double* warpedX,
              double* warpedY) {
     for (std::size_t i = 0; i < count; i += 4) {
