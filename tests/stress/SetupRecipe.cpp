@@ -2,49 +2,122 @@
 
 #include "Random.h"
 
+#include <Lixel/fit/technique/Techniques.h>
+#include <Lixel/setup/SetupList.h>
 #include <Lixel/setup/ShadowCameraSetups.h>
 
 #include <OgreShadowCameraSetupFocused.h>
 #include <OgreShadowCameraSetupLiSPSM.h>
 
-#include <array>
+#include <fmt/core.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
 
 namespace Lixel::Tests {
 namespace {
 
-/// A kind of setup: how to make one, and how to turn its options.
+/// Counts are what a technique may spend: larger ones only take longer.
+constexpr double GreatestCount = 300.0;
+
+/// What leaves points unserved that its kind serves otherwise. It has a kind of its own.
+constexpr std::string_view Unserving = "exact";
+
+/// A kind of setup: how to make one, and the options that may be turned.
 struct Kind {
-    const char* name;
-    Ogre::ShadowCameraSetupPtr (*make)(Random& random);
-    void (*turn)(Ogre::ShadowCameraSetup& setup, Random& random);
+    std::string name;
+    std::function<Ogre::ShadowCameraSetupPtr(Random& random)> make;
+    std::span<const Option> options;
+    bool isExact = true;
+    bool isCube = false;
 };
 
-template <typename T>
-Ogre::ShadowCameraSetupPtr plain(Random&) {
-    return T::create();
-}
-
-template <typename T>
-T& as(Ogre::ShadowCameraSetup& setup) {
-    return dynamic_cast<T&>(setup);
-}
-
+/// Of any technique.
 Ogre::ShadowCameraSetupPtr makeCascades(Random& random) {
-    Ogre::ShadowCameraSetupPtr technique;
-    switch (random.below(4)) {
-    case 0:
-        return CascadesShadowCameraSetup::create();
-    case 1:
-        technique = XPSMShadowCameraSetup::create();
-        break;
-    case 2:
-        technique = UniformShadowCameraSetup::create({.stable = true});
-        break;
-    default:
-        technique = LiSPSMShadowCameraSetup::create();
-        break;
+    const auto all = techniques();
+    const SetupKind& slice = *findSetupKind(all[random.below(all.size())]->name);
+    return CascadesShadowCameraSetup::create(slice.create());
+}
+
+template <typename OgresSetup>
+Kind observed(const char* name) {
+    const auto make = [](Random&) -> Ogre::ShadowCameraSetupPtr {
+        return ObservedShadowCameraSetup::create(std::make_shared<OgresSetup>());
+    };
+    return {.name = name, .make = make, .options = {}, .isExact = false};
+}
+
+/// All of Lixel's, and some of OGRE's.
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all = [] {
+        std::vector<Kind> made;
+        for (const SetupKind& kind : setupKinds())
+            made.push_back({.name = std::string(kind.name),
+                            .make = [&kind](Random&) { return kind.create(); },
+                            .options = kind.options,
+                            .isCube = kind.name == "PostProjectiveCube"});
+        for (Kind& kind : made)
+            if (kind.name == "Cascades") kind.make = makeCascades;
+        const auto makeExact = [](Random&) -> Ogre::ShadowCameraSetupPtr {
+            return PlaneOptimalShadowCameraSetup::create({.exact = true});
+        };
+        made.push_back({.name = "PlaneOptimalExact",
+                        .make = makeExact,
+                        .options = findSetupKind("PlaneOptimal")->options,
+                        .isExact = false});
+        made.push_back(observed<Ogre::LiSPSMShadowCameraSetup>("ObservedLiSPSM"));
+        made.push_back(observed<Ogre::DefaultShadowCameraSetup>("ObservedDefault"));
+        return made;
+    }();
+    return all;
+}
+
+const Kind& kindOf(const SetupRecipe& recipe) {
+    return kinds()[recipe.kind % kinds().size()];
+}
+
+/// A number of the option's range: every fourth time one of its ends, or next to it.
+double drawNumber(const Option& option, Random& random) {
+    const OptionRange& range = option.range;
+    double greatest = range.greatest;
+    if (option.type == OptionType::Count) greatest = std::min(greatest, GreatestCount);
+    const auto part = [&](float least, float most) {
+        return static_cast<double>(random.between(least, most));
+    };
+    if (!std::isfinite(greatest)) {
+        const double least = std::isfinite(range.least) ? range.least : 0.0;
+        return random.oneIn(4) && !range.isLeastOpen ? least
+                                                     : least + std::pow(10.0, part(-3.0F, 3.0F));
     }
-    return CascadesShadowCameraSetup::create(technique);
+    const double width = greatest - range.least;
+    switch (random.below(8)) {
+    case 0:
+        return range.least + (range.isLeastOpen ? 1e-3 * width : 0.0);
+    case 1:
+        return greatest - (range.isGreatestOpen ? 1e-3 * width : 0.0);
+    default:
+        return range.least + part(0.01F, 0.99F) * width;
+    }
+}
+
+/// A legal value of the option, as text.
+std::string draw(const Option& option, Random& random) {
+    switch (option.type) {
+    case OptionType::Flag:
+        return random.oneIn(3) ? "true" : "false";
+    case OptionType::Count:
+        return fmt::format("{}", std::lround(drawNumber(option, random)));
+    case OptionType::Number:
+        return fmt::format("{}", drawNumber(option, random));
+    case OptionType::Plane:
+        if (random.oneIn(2)) return "0 1 0 0";
+        return fmt::format("{} 1 {} {}", random.between(-1, 1), random.between(-1, 1),
+                           random.between(-5, 5));
+    case OptionType::Ascending:
+        return random.oneIn(4) ? "3 9 30" : "none";
+    }
+    return {};
 }
 
 void turnCommon(FittedShadowCameraSetup& setup, Random& random) {
@@ -60,104 +133,36 @@ void turnCommon(FittedShadowCameraSetup& setup, Random& random) {
     setup.setVisiblePoints(points);
 }
 
-const std::array<Kind, 12> Kinds{{
-    {"Uniform", plain<UniformShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<UniformShadowCameraSetup>(setup).setOptions({.stable = random.oneIn(3)});
-     }},
-    {"XPSM", plain<XPSMShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<XPSMShadowCameraSetup>(setup).setOptions({.strength = random.of({0.0, 1.0, 2.0, 10.0}),
-                                                      .epsilonW = random.of({0.1, 0.7, 1.0}),
-                                                      .guarded = !random.oneIn(3)});
-     }},
-    {"Optimal", plain<OptimalShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<OptimalShadowCameraSetup>(setup).setOptions(
-             {.samples = random.of({1, 64, 64, 300}), .evaluations = random.of({8, 32, 100})});
-     }},
-    {"LiSPSM", plain<LiSPSMShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<LiSPSMShadowCameraSetup>(setup).setOptions(
-             {.distanceFactor = random.of({0.1, 1.0, 20.0})});
-     }},
-    {"Trapezoidal", plain<TrapezoidalShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<TrapezoidalShadowCameraSetup>(setup).setOptions(
-             {.focusDistance = static_cast<double>(random.between(0.05F, 0.9F)),
-              .focusShare = static_cast<double>(random.between(0.1F, 0.9F))});
-     }},
-    {"PSM", plain<PSMShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<PSMShadowCameraSetup>(setup).setOptions({.slideBack = random.of({0.0, 0.25, 5.0})});
-     }},
-    {"PlaneOptimal", plain<PlaneOptimalShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         const Ogre::Vector3 normal(random.between(-1, 1), 1, random.between(-1, 1));
-         as<PlaneOptimalShadowCameraSetup>(setup).setPlane(
-             random.oneIn(2) ? Ogre::Plane(Ogre::Vector3::UNIT_Y, 0)
-                             : Ogre::Plane(normal.normalisedCopy(), random.between(-5, 5)));
-     }},
-    {"Cascades", makeCascades,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         const auto depths = random.oneIn(4) ? std::vector{3.0, 9.0, 30.0} : std::vector<double>();
-         as<CascadesShadowCameraSetup>(setup).setOptions({.uniformity = random.of({0.0, 0.5, 1.0}),
-                                                          .followReceivers = !random.oneIn(3),
-                                                          .vsSplitDepths = depths});
-     }},
-    {"PostProjectiveCube", plain<PostProjectiveCubeShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random& random) {
-         as<PostProjectiveCubeShadowCameraSetup>(setup).setOptions(
-             {.slideBack = random.of({0.0, 0.25, 5.0})});
-     }},
-    {"PlaneOptimalExact", plain<PlaneOptimalShadowCameraSetup>,
-     [](Ogre::ShadowCameraSetup& setup, Random&) {
-         as<PlaneOptimalShadowCameraSetup>(setup).setOptions({.exact = true});
-     }},
-    {"ObservedLiSPSM",
-     [](Random&) -> Ogre::ShadowCameraSetupPtr {
-         return ObservedShadowCameraSetup::create(
-             std::make_shared<Ogre::LiSPSMShadowCameraSetup>());
-     },
-     [](Ogre::ShadowCameraSetup&, Random&) {}},
-    {"ObservedDefault",
-     [](Random&) -> Ogre::ShadowCameraSetupPtr {
-         return ObservedShadowCameraSetup::create(
-             std::make_shared<Ogre::DefaultShadowCameraSetup>());
-     },
-     [](Ogre::ShadowCameraSetup&, Random&) {}},
-}};
-
-constexpr std::size_t Exact = 9; ///< the first that may leave something unserved
-constexpr std::size_t Cube = 8;
-
 } // namespace
 
 Ogre::ShadowCameraSetupPtr SetupRecipe::make() const {
     // What an instance is made of stays with it; its options may change later.
     Random random(kind);
-    Ogre::ShadowCameraSetupPtr setup = Kinds[kind % Kinds.size()].make(random);
+    Ogre::ShadowCameraSetupPtr setup = kindOf(*this).make(random);
     apply(*setup);
     return setup;
 }
 
 void SetupRecipe::apply(Ogre::ShadowCameraSetup& setup) const {
     Random random(options);
-    if (auto* const fitted = dynamic_cast<FittedShadowCameraSetup*>(&setup))
-        turnCommon(*fitted, random);
-    Kinds[kind % Kinds.size()].turn(setup, random);
+    auto* const fitted = dynamic_cast<FittedShadowCameraSetup*>(&setup);
+    if (fitted == nullptr) return;
+    turnCommon(*fitted, random);
+    for (const Option& option : kindOf(*this).options)
+        if (option.keyword != Unserving)
+            fitted->setParameter(std::string(option.keyword), draw(option, random));
 }
 
 std::string SetupRecipe::name() const {
-    return Kinds[kind % Kinds.size()].name;
+    return kindOf(*this).name;
 }
 
 bool SetupRecipe::isExact() const {
-    return kind % Kinds.size() < Exact;
+    return kindOf(*this).isExact;
 }
 
 bool SetupRecipe::isCube() const {
-    return kind % Kinds.size() == Cube;
+    return kindOf(*this).isCube;
 }
 
 } // namespace Lixel::Tests
