@@ -1,29 +1,23 @@
 #include "material/MaterialCheck.h"
 
+#include "material/DrawnPass.h"
+#include "material/MapReads.h"
 #include "material/MissingMaterials.h"
 #include "material/OwnShadowMaterials.h"
 #include "material/ProgramCheck.h"
 #include "material/QueuedPasses.h"
+#include "material/UnitCheck.h"
 #include "scene/Log.h"
 #include "scene/OgreVersions.h"
 
-#include <OgreEntity.h>
-#include <OgreGpuProgram.h>
-#include <OgreInstanceBatch.h>
 #include <OgreLight.h>
 #include <OgreMaterial.h>
-#include <OgreMaterialManager.h>
 #include <OgrePass.h>
 #include <OgrePixelFormat.h>
-#include <OgreRenderSystem.h>
-#include <OgreRenderSystemCapabilities.h>
 #include <OgreRenderable.h>
-#include <OgreRoot.h>
 #include <OgreSceneManager.h>
-#include <OgreSubEntity.h>
 #include <OgreTechnique.h>
 #include <OgreTexture.h>
-#include <OgreTextureUnitState.h>
 
 #include <algorithm>
 #include <optional>
@@ -34,115 +28,53 @@ namespace {
 
 const char* const Manual = " (materials/README.md)";
 
-std::string materialOf(const Ogre::Pass& pass) {
-    return pass.getParent()->getParent()->getName();
+/// Which material reads as many maps, as the beginning of what to do. Empty where none does.
+std::string materialReading(std::size_t maps) {
+    const std::size_t parent = mapsOfParentFor(maps);
+    if (parent < maps) return {};
+    return "take Lixel/Surface/Integrated/Maps" + std::to_string(parent) +
+           ", or a program that reads as many, or ";
 }
 
-std::string quoted(const std::string& name) {
-    return "'" + name + "'";
-}
-
-/// Whether a technique of the material's does: one for what is far may do without, as terrain's.
+/// Whether a pass of any of the material's techniques does: one for far away may lack the unit.
 bool readsShadowMap(const Ogre::Material& material) {
     for (const Ogre::Technique* technique : material.getTechniques())
         for (const Ogre::Pass* pass : technique->getPasses())
-            for (const Ogre::TextureUnitState* unit : pass->getTextureUnitStates())
-                if (unit->getContentType() == Ogre::TextureUnitState::CONTENT_SHADOW) return true;
+            if (!shadowUnitsOf(*pass).empty()) return true;
     return false;
-}
-
-/// OGRE's own, which stands in for a material that is not there or cannot be drawn.
-bool isStandIn(const Ogre::Pass& pass) {
-    const Ogre::Material* const material = pass.getParent()->getParent();
-    auto& materials = Ogre::MaterialManager::getSingleton();
-    return material == materials.getDefaultMaterial(true).get() ||
-           material == materials.getDefaultMaterial(false).get();
-}
-
-/// Whether a pass's vertex program bends what it draws, by bones, morphing or poses.
-bool bends(const Ogre::Pass& pass) {
-    if (!pass.hasVertexProgram()) return false;
-    const Ogre::GpuProgramPtr& program = pass.getVertexProgram();
-    return program->isSkeletalAnimationIncluded() || program->isMorphAnimationIncluded() ||
-           program->isPoseAnimationIncluded();
-}
-
-/// Whether one call draws many bodies, which its vertex program has to place. Lixel's do not.
-bool isLeftUnplaced(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
-    return dynamic_cast<Ogre::InstanceBatch*>(&renderable) != nullptr && pass.hasVertexProgram() &&
-           Ogre::StringUtil::startsWith(pass.getVertexProgramName(), "Lixel/", false);
-}
-
-/// Whether what is drawn is left to its vertex program to bend.
-bool isBentByProgram(Ogre::Renderable& renderable) {
-    auto* const part = dynamic_cast<Ogre::SubEntity*>(&renderable);
-    return part != nullptr && part->getParent()->isHardwareAnimationEnabled();
-}
-
-/// Whether OGRE made the pass out of one of the technique's own, for an illumination stage.
-bool isSplitOff(const Ogre::Pass& pass) {
-    const auto& own = pass.getParent()->getPasses();
-    return std::find(own.begin(), own.end(), &pass) == own.end();
-}
-
-/// Of a pass that has not both programs, where the render system needs them.
-std::string whatLacksPrograms(const Ogre::Pass& pass) {
-    const std::string name = quoted(materialOf(pass));
-    if (isStandIn(pass))
-        return "OGRE's own material " + name +
-               " is drawn, which has no programs, and this render system draws nothing without: it "
-               "stands in for a material whose name is not known or whose programs do not compile "
-               "(see OGRE's lines in this log)";
-    if (isSplitOff(pass) && pass.getParent()->getPass(0)->hasFragmentProgram())
-        return "material " + name +
-               " loses its fragment program where OGRE splits its pass for additive shadows, and "
-               "cannot be drawn: give it one pass of illumination_stage ambient and one of "
-               "per_light, as Lixel/Surface has; where the shader system makes its programs, have "
-               "SGTechniqueResolverListener of OgreBites give them to what is split";
-    return "material " + name +
-           " has no programs, and this render system draws nothing without: inherit Lixel/Surface "
-           "(if it does, its group may not find General: see OGRE's errors in this log), or let "
-           "OGRE's shader system make some";
-}
-
-const Ogre::RenderSystemCapabilities& capabilities() {
-    return *Ogre::Root::getSingleton().getRenderSystem()->getCapabilities();
-}
-
-/// Which material reads as many maps, as the beginning of what to do. Empty where none does.
-std::string materialReading(std::size_t maps) {
-    const std::optional<std::size_t> known = mapsOfProgramFor(maps);
-    if (!known) return {};
-    return "take Lixel/Surface/Integrated/Maps" + std::to_string(*known) +
-           ", or a program that reads as many, or ";
 }
 
 } // namespace
 
 MaterialCheck::~MaterialCheck() {
-    listen(false);
+    endView();
 }
 
-void MaterialCheck::listen(bool toCasters) {
-    if (toCasters == mListens) return;
-    mListens = toCasters;
-    if (toCasters)
+void MaterialCheck::listen(bool toObjects) {
+    if (toObjects == mListens) return;
+    mListens = toObjects;
+    if (toObjects)
         mManager.addRenderObjectListener(this);
     else
         mManager.removeRenderObjectListener(this);
 }
 
-void MaterialCheck::beginFrame(const std::string& scheme) {
+void MaterialCheck::endView() {
+    mLooks = false;
+    listen(false);
+}
+
+void MaterialCheck::beginView(const std::string& scheme) {
     const Shadows shadows{mManager.getShadowTechnique(),
                           shadowCasterPassOf(mManager),
                           shadowReceiverPassOf(mManager),
                           {mManager.getShadowTextureCountPerLightType(Ogre::Light::LT_POINT),
                            mManager.getShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL),
                            mManager.getShadowTextureCountPerLightType(Ogre::Light::LT_SPOTLIGHT)}};
-    if (shadows != mShadows) mFrame = 0;
+    if (shadows != mShadows) mViews = 0;
     mShadows = shadows;
-    mLooks = mFrame < FirstLooks || mFrame % Interval == 0;
-    ++mFrame;
+    mLooks = mViews < FirstLooks || mViews % Interval == 0;
+    ++mViews;
     mCasters.clear();
     mDrawn.clear();
     mCounted.clear();
@@ -163,7 +95,7 @@ void MaterialCheck::checkMap(const Ogre::Texture& texture, const ShadowMap& map)
     maps.all = std::max(maps.all, map.iteration + 1);
     if (map.fit.hasMap()) maps.used = std::max(maps.used, map.iteration + 1);
     // Not at once: much of a scene may come after its first frame.
-    if (map.fit.reason == FitReason::NoReceivers && mFrame > FirstLooks &&
+    if (map.fit.reason == FitReason::NoReceivers && mViews > FirstLooks &&
         !mManager.getShadowTextureSelfShadow() && !mManager.isShadowTechniqueIntegrated())
         say("nothing in view receives shadows in scene manager " + quoted(mManager.getName()) +
             ": what casts shadows receives none until SceneManager::setShadowTextureSelfShadow("
@@ -194,9 +126,9 @@ void MaterialCheck::checkLights(const std::set<const Ogre::Light*>& withMaps) {
         needed += mManager.getShadowTextureCountPerLightType(light->getType());
         if (hasTexture && mDrawsLixelsCasters && withMaps.count(light) == 0)
             say("light " + quoted(light->getName()) +
-                " casts shadows by no setup that Lixel knows of, and so none that Lixel's "
-                "materials show: give it one of Lixel's, or its own inside "
-                "ObservedShadowCameraSetup");
+                " has no setup of Lixel's, so Lixel's materials show no shadows from it: give it "
+                "one, "
+                "or put its own inside an ObservedShadowCameraSetup");
     }
     // Numbers of lights come and go; once is enough.
     if (needed > textures && !std::exchange(mSaidTooFewTextures, true))
@@ -209,8 +141,7 @@ void MaterialCheck::checkLights(const std::set<const Ogre::Light*>& withMaps) {
 
 void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
     const Ogre::Technique& technique = *pass.getParent();
-    if (!capabilities().hasCapability(Ogre::RSC_FIXED_FUNCTION) &&
-        (!pass.hasVertexProgram() || !pass.hasFragmentProgram())) {
+    if (lacksPrograms(pass)) {
         say(whatLacksPrograms(pass) + Manual);
         return;
     }
@@ -252,7 +183,7 @@ void MaterialCheck::checkUnits(const Ogre::Pass& pass, Ogre::Renderable& rendera
 
 void MaterialCheck::checkInstances(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
     if (!isLeftUnplaced(pass, renderable)) return;
-    say("instances that wear material " + quoted(renderable.getMaterial()->getName()) +
+    say("instances that wear material " + quoted(wornBy(renderable)) +
         " are drawn by the vertex program of " + quoted(materialOf(pass)) +
         ", which does not place them: all are at the world's origin. Give them programs of their "
         "own, in the surface, its receiver and its caster, or draw entities" +
@@ -263,7 +194,7 @@ void MaterialCheck::checkBending(const Ogre::Pass& pass, Ogre::Renderable& rende
                                  bool isCaster) {
     if (bends(pass) || !isBentByProgram(renderable)) return;
     const std::string kind = isCaster ? "caster" : "receiver";
-    say("what wears material " + quoted(renderable.getMaterial()->getName()) +
+    say("what wears material " + quoted(wornBy(renderable)) +
         " is bent by its vertex program, and shadow " + kind + " material " +
         quoted(materialOf(pass)) + " does not bend it: " +
         (isCaster ? "its shadow is that of the mesh at rest"
@@ -297,7 +228,7 @@ void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& li
         if (found == mMaps.end() || !mCounted.emplace(&pass, found->first).second) continue;
         const LightMaps& maps = found->second;
         const std::size_t read = mapsRead(pass, place);
-        if (read == 0 || read >= maps.used || !hasMapUnits(pass)) continue;
+        if (read == 0 || read >= maps.used || shadowUnitsOf(pass).empty()) continue;
         say("material " + quoted(materialOf(pass)) + " reads " + std::to_string(read) +
             (read == 1 ? " shadow map" : " shadow maps") + " of light " +
             quoted(found->first->getName()) + ", which has " + std::to_string(maps.all) +
@@ -334,7 +265,7 @@ void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const
     const auto stage = mManager._getCurrentRenderStage();
     checkInstances(*pass, *renderable);
     if (stage == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) {
-        if (mCasters.count(pass) == 0) mCasters[pass] = renderable->getMaterial()->getName();
+        if (mCasters.count(pass) == 0) mCasters[pass] = wornBy(*renderable);
         checkBending(*pass, *renderable, true);
         return;
     }

@@ -32,22 +32,27 @@ namespace Lixel {
     - shadow textures that cannot hold Lixel's depth, or that are too few;
     - lights without a setup.
 
-    Looking costs time, so it is done in the first frames of a scene manager, and after its shadow
-    technique, materials or numbers of maps changed; and then every Interval frames.
+    Looking costs time, so it is done in the first views of a scene manager, and after its shadow
+    technique, materials or numbers of maps changed; and then every Interval views.
 */
 class MaterialCheck : public Ogre::RenderObjectListener {
 public:
-    /// Frames between two looks: a second at 60 a second.
-    static constexpr unsigned Interval = 60;
+    /// Views from one look to the next: about a second. A prime number, so that each of several
+    /// views that are drawn in turn is looked at.
+    static constexpr unsigned Interval = 61;
     /// Looks in a row, to begin with: applications often complete a scene after its first frame.
     static constexpr unsigned FirstLooks = 3;
 
     explicit MaterialCheck(Ogre::SceneManager& manager) : mManager(manager) {}
     ~MaterialCheck() override;
 
-    /// A frame begins, in which this scene manager has shadow maps.
+    /// A view begins, in which this scene manager has shadow maps.
     /// @param scheme of materials, that of the viewport
-    void beginFrame(const std::string& scheme);
+    void beginView(const std::string& scheme);
+    /// It was drawn; the next may have no maps.
+    void endView();
+    /// Whether this view is looked at.
+    bool looks() const { return mLooks; }
     /// A map is about to be drawn into a shadow texture.
     void checkMap(const Ogre::Texture& texture, const ShadowMap& map);
     /// What is queued is about to be drawn.
@@ -61,7 +66,7 @@ public:
                                   bool suppressRenderStateChanges) override;
 
 private:
-    void listen(bool toCasters);
+    void listen(bool toObjects);
     void checkReceiver(const Ogre::Pass& pass);
     void checkReads(const Ogre::Pass& pass, const Ogre::LightList& lights);
     void checkSurface(const Ogre::Pass& pass, bool groupReceives);
@@ -83,7 +88,7 @@ private:
         bool operator==(const Shadows&) const = default;
     };
     Shadows mShadows; ///< when it looked last
-    unsigned mFrame = 0;
+    unsigned mViews = 0;
     bool mLooks = false;
     bool mListens = false;
     std::set<std::string> mSaid;

@@ -14,9 +14,8 @@
 namespace Lixel {
 namespace {
 
-/// A material as OGRE's own shadow materials are: without programs. Not one of those themselves:
-/// the shader system would copy it as it is now, and OGRE blackens its receiver's ambient colour
-/// only when it first draws with it.
+/// A material without programs, as OGRE's own shadow materials are. Not one of those: the shader
+/// system would copy the receiver before OGRE has set its ambient colour to black.
 Ogre::MaterialPtr plainMaterial() {
     static const char* const Name = "Lixel/WithoutPrograms";
     auto& materials = Ogre::MaterialManager::getSingleton();

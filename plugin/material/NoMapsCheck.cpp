@@ -1,7 +1,7 @@
 #include "material/NoMapsCheck.h"
 
+#include "material/MapReads.h"
 #include "material/MaterialCheck.h"
-#include "material/ProgramCheck.h"
 #include "material/QueuedPasses.h"
 #include "scene/Log.h"
 #include "scene/OgreVersions.h"
@@ -37,12 +37,11 @@ void NoMapsCheck::checkQueue(const Ogre::Viewport& viewport) {
 }
 
 void NoMapsCheck::check() {
-    if (mSaidNoTextures && mSaidNoSetup) return;
     const bool hasTextures = !mManager.getShadowTextureConfigList().empty();
     if (hasTextures ? mSaidNoSetup : mSaidNoTextures) return;
     const Ogre::LightList& lights = mManager._getLightsAffectingFrustum();
     const auto casts = [](const Ogre::Light* light) { return light->getCastShadows(); };
-    const auto isTold = [this](const Ogre::Light* light) {
+    const auto hasSetup = [this](const Ogre::Light* light) {
         return light->getCastShadows() && hasLixelsSetup(*light, mManager);
     };
     if (std::none_of(lights.begin(), lights.end(), casts) || !drawsLixelsMaterials()) return;
@@ -54,7 +53,7 @@ void NoMapsCheck::check() {
             " has no shadow textures, so no light casts shadows there: "
             "SceneManager::setShadowTextureSettings(1024, 1, PF_FLOAT32_R), with one for each "
             "light");
-    } else if (std::none_of(lights.begin(), lights.end(), isTold)) {
+    } else if (std::none_of(lights.begin(), lights.end(), hasSetup)) {
         mSaidNoSetup = true;
         logWarning(
             "materials of Lixel are drawn in scene manager " + name +

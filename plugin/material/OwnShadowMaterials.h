@@ -5,9 +5,8 @@
 
 namespace Lixel {
 
-/** Takes from all materials the shadow caster and receiver materials of their own that cannot be
-    drawn, most often because a program of theirs did not compile: OGRE uses them unasked, and
-    crashes.
+/** Clears the shadow caster and receiver materials of techniques that cannot be drawn, most often
+    because a program of theirs did not compile: OGRE would draw with them, and crash.
 
     The scene manager's are used instead. @return a line for the log of each
 */

@@ -1,6 +1,6 @@
 #include "material/QueuedPasses.h"
 
-#include "material/ProgramCheck.h"
+#include "material/MapReads.h"
 #include "scene/OgreVersions.h"
 
 #include <OgreMaterial.h>
@@ -41,7 +41,7 @@ void forQueuedPasses(Ogre::SceneManager& manager,
         forPriorityGroups(*group, [&](const Ogre::RenderPriorityGroup& priority) {
             for (const auto* solids :
                  {&priority.getSolidsBasic(), &priority.getSolidsDiffuseSpecular(),
-                  &priority.getSolidsNoShadowReceive()})
+                  &priority.getSolidsDecal(), &priority.getSolidsNoShadowReceive()})
                 solids->acceptVisitor(&collector, Ogre::QueuedRenderableCollection::OM_PASS_GROUP);
         });
         for (const Ogre::Pass* pass : collector.passes)

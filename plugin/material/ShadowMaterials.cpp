@@ -1,6 +1,6 @@
 #include "material/ShadowMaterials.h"
 
-#include "material/ProgramCheck.h"
+#include "material/MapReads.h"
 #include "scene/NameList.h"
 
 #include <OgreException.h>

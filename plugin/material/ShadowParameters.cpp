@@ -34,7 +34,7 @@ bool hasReceiverPasses(const Ogre::SceneManager& manager) {
 
 } // namespace
 
-/// One scene manager's receivers: unshadowed until a map is fitted, and modulative ones served.
+/// Lets a scene manager's lights shadow nothing before each view, then binds each fitted map.
 class ShadowParameters::SceneListener : public SceneManagerListener {
 public:
     explicit SceneListener(Ogre::SceneManager& manager)
@@ -50,6 +50,7 @@ public:
         letAllBeLit();
         SharedParameters::setFog(*source);
         mHasMaps = false;
+        mCheck.endView();
     }
 
     /// A program keeps the last light's value of a custom parameter that the next light lacks, so
@@ -63,7 +64,7 @@ public:
     }
 
     void bind(const ShadowMap& map) {
-        if (!mHasMaps) mCheck.beginFrame(map.shadowCamera.getViewport()->getMaterialScheme());
+        if (!mHasMaps) mCheck.beginView(map.shadowCamera.getViewport()->getMaterialScheme());
         mHasMaps = true;
         mNoMapsCheck.mapFitted();
         const ReceiverParameters parameters = receiverParameters(map);
@@ -83,6 +84,7 @@ public:
                                 Ogre::Viewport* viewport) override {
         if (stage != Ogre::SceneManager::IRS_NONE) return;
         if (!mHasMaps) return mNoMapsCheck.checkQueue(*viewport);
+        if (!mCheck.looks()) return;
         std::set<const Ogre::Light*> withMaps;
         for (const auto& [light, parameters] : mMaps)
             withMaps.insert(light);

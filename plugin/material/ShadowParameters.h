@@ -56,7 +56,7 @@ public:
     ~ShadowParameters() override;
     void shadowMapFitted(const ShadowMap& map) override;
 
-    /// Binds a scene manager's fog, and its lights' missing maps, before any map of it was fitted.
+    /// Starts to serve a scene manager: binds its fog, and tells its lights that they have no map.
     /// Serving one twice has no effect. The plugin serves all of them before every frame.
     void serve(Ogre::SceneManager& manager);
 

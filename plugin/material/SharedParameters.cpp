@@ -62,8 +62,8 @@ void SharedParameters::resourceGroupScriptingStarted(const Ogre::String&, std::s
 
 void SharedParameters::resourceGroupScriptingEnded(const Ogre::String&) {
     if (Ogre::GpuProgramManager::getSingletonPtr() == nullptr) return;
-    // OGRE binds this one to units without a texture, as a surface's DiffuseMap may be, and makes it
-    // when it is first wanted: in the midst of a pass, whose first texture it takes the place of.
+    // OGRE binds the warning texture to units without one, as a surface's DiffuseMap may be. Made
+    // when it is first wanted, in the midst of a pass, it would unbind that pass's first texture.
     Ogre::TextureManager::getSingleton()._getWarningTexture();
     for (const std::string& line : dropUnusableShadowMaterials())
         logWarning(line);

@@ -376,8 +376,7 @@ TEST(MaterialCheck, SaysThatALightHasNoSetup) {
     LogCollector log;
     scene.draw();
     scene.draw();
-    EXPECT_EQ(log.count("light 'spot' casts shadows by no setup that Lixel knows of"), 1U)
-        << log.all();
+    EXPECT_EQ(log.count("light 'spot' has no setup of Lixel's"), 1U) << log.all();
 }
 
 TEST(MaterialCheck, SaysThatDepthFormatsAreNotServed) {
@@ -394,6 +393,44 @@ TEST(MaterialCheck, SaysThatAFormatHoldsTooLittleDepth) {
     LogCollector log;
     scene.draw();
     EXPECT_EQ(log.count("do not hold what Lixel/Caster stores"), 1U) << log.all();
+}
+
+/// Every so many views one is looked at: of two that are drawn in turn not always the same.
+TEST(MaterialCheck, LooksAtEachOfSeveralViews) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
+    scene.wear("Lixel/Surface/Integrated");
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    // The second sees the sky alone, and later what wears no material of Lixel's.
+    Ogre::Camera* const other = manager.createCamera("other");
+    Ogre::SceneNode* const node = manager.getRootSceneNode()->createChildSceneNode();
+    node->attachObject(other);
+    other->setNearClipDistance(0.1F);
+    node->setPosition(0, 1000, 0);
+    node->setDirection(Ogre::Vector3::UNIT_Z, Ogre::Node::TS_WORLD);
+    scene.stage.camera().getViewport()->getTarget()->addViewport(other, 1, 0, 0, 0.5F, 1);
+    for (int frame = 0; frame < 10; ++frame)
+        scene.draw();
+    LogCollector log;
+    Ogre::SceneNode* const cube = scene.addCube(Ogre::Vector3(0, 1000, 5), Ogre::Vector3(1, 1, 1));
+    static_cast<Ogre::Entity*>(cube->getAttachedObject(0))->setMaterialName("Test/Foreign");
+    scene.addCube(Ogre::Vector3(0, 1004, 5), Ogre::Vector3(9, 0.1F, 9));
+    for (unsigned frame = 0; frame < 70; ++frame)
+        scene.stage.drawFrame();
+    EXPECT_EQ(log.count("material 'Test/Foreign' reads no shadow map"), 1U) << log.all();
+    scene.stage.camera().getViewport()->getTarget()->removeViewport(1);
+}
+
+/// Of a view without maps nothing is collected: it is drawn as if nobody looked.
+TEST(MaterialCheck, StopsListeningWhereShadowsEnd) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
+    scene.wear("Lixel/Surface/Integrated");
+    scene.draw();
+    scene.stage.sceneManager().setShadowTechnique(Ogre::SHADOWTYPE_NONE);
+    scene.draw();
+    LogCollector log;
+    scene.wear("Test/OtherNames");
+    scene.draw();
+    EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
 }
 
 /// What changes while the program runs is looked at in the next frame.
