@@ -2,6 +2,7 @@
 
 #include "fit/problem/Option.h"
 #include "scene/NameList.h"
+#include "script/PresetWords.h"
 #include "setup/SetupList.h"
 
 #include <OgrePixelFormat.h>
@@ -28,35 +29,51 @@ Text readOption(const Option& declared, std::string_view text) {
     return optionText(declared, &value);
 }
 
-template <int Least, int Greatest>
-Text readCount(std::string_view text) {
-    return readOption(option<&Value::count>("", between(Least, Greatest), "", ""), text);
+template <const Option& Declared>
+Text readAs(std::string_view text) {
+    return readOption(Declared, text);
 }
+
+constexpr Option Maps = option<&Value::count>("", between(1, 8), "", "");
+constexpr Option Side = option<&Value::count>("", between(16, 16384), "texels", "");
+constexpr Option Flag = option<&Value::flag>("", "");
+constexpr Option NoDistance = option<&Value::number>("", between(0.0, 0.0), "", "");
+/// OGRE squares it in single precision: the square is neither 0 nor infinite.
+constexpr Option Distance = option<&Value::number>("", between(1e-18, 1e18), "world units", "");
 
 Text readDistance(std::string_view text) {
-    return readOption(option<&Value::number>("", atLeast(0.0), "", ""), text);
-}
-
-Text readFlag(std::string_view text) {
-    return readOption(option<&Value::flag>("", ""), text);
+    const Text none = readOption(NoDistance, text);
+    return none ? none : readOption(Distance, text);
 }
 
 /// One side for both, or width and height.
 Text readSize(std::string_view text) {
-    constexpr auto readSide = readCount<16, 16384>;
     const std::size_t space = text.find(' ');
-    const Text width = readSide(text.substr(0, space));
-    const Text height = space == std::string_view::npos ? width : readSide(text.substr(space + 1));
+    const Text width = readOption(Side, text.substr(0, space));
+    const Text height =
+        space == std::string_view::npos ? width : readOption(Side, text.substr(space + 1));
     if (!width || !height) return std::nullopt;
     return *width + " " + *height;
 }
 
-/// Formats that hold a depth. Others may be read by materials of the user's own.
+std::string describeSizes() {
+    return "one or two whole numbers" +
+           describeValues(Side).substr(std::string_view("a whole number").size());
+}
+
+/// Any OGRE format; Lixel's materials need PF_FLOAT32_R.
 Text readFormat(std::string_view text) {
     const Ogre::PixelFormat format = Ogre::PixelUtil::getFormatFromName(std::string(text));
     if (format == Ogre::PF_UNKNOWN) return std::nullopt;
     return Ogre::PixelUtil::getFormatName(format);
 }
+
+constexpr auto Techniques = [] {
+    std::array<std::string_view, ShadowTechniqueWords.size()> names;
+    std::ranges::transform(ShadowTechniqueWords, names.begin(), &ShadowTechniqueWord::name);
+    return names;
+}();
+constexpr std::array<std::string_view, 2> Filters{"nearest", "bilinear"};
 
 template <const auto& Words>
 Text readWord(std::string_view text) {
@@ -64,34 +81,31 @@ Text readWord(std::string_view text) {
     return found == std::end(Words) ? Text() : Text(std::string(*found));
 }
 
-constexpr std::array<std::string_view, 4> Techniques{
-    "texture_additive", "texture_additive_integrated", "texture_modulative",
-    "texture_modulative_integrated"};
-constexpr std::array<std::string_view, 2> Filters{"nearest", "bilinear"};
+std::string oneOf(std::span<const std::string_view> words) {
+    return "one of " + joinNames(words);
+}
 
 Text readKind(std::string_view text) {
     return findSetupKind(text) == nullptr ? Text() : Text(std::string(text));
 }
 
 Text readSliceKind(std::string_view text) {
-    return text == "Cascades" ? std::nullopt : readKind(text);
+    return text == CascadesWord ? std::nullopt : readKind(text);
 }
 
 Text readName(std::string_view text) {
     return text.empty() ? Text() : Text(std::string(text));
 }
 
-/// Names of all setups, in a text that lives on.
-std::string_view kindNames(bool withCascades) {
-    const auto join = [](bool isWithCascades) {
-        std::vector<std::string> names;
-        for (const SetupKind& kind : setupKinds())
-            if (isWithCascades || kind.name != "Cascades") names.emplace_back(kind.name);
-        return "one of " + joinNames(names);
-    };
-    static const std::string all = join(true);
-    static const std::string single = join(false);
-    return withCascades ? all : single;
+std::string kindNames(bool withCascades) {
+    std::vector<std::string_view> names;
+    for (const SetupKind& kind : setupKinds())
+        if (withCascades || kind.name != CascadesWord) names.push_back(kind.name);
+    return oneOf(names);
+}
+
+std::string materialNames() {
+    return "the name of a material, or " + std::string(NoMaterialWord);
 }
 
 } // namespace
@@ -104,36 +118,34 @@ std::span<const PresetSetting> presetSettings() {
                       "of Cascades: the setup of each slice; its options stand beside those of "
                       "Cascades",
                       readSliceKind},
-        PresetSetting{"maps", "a whole number, at least 1 and at most 8", "",
-                      "shadow maps of each light of that type; several need an integrated "
-                      "shadow_technique; without it, one, or three for Cascades",
-                      readCount<1, 8>},
-        PresetSetting{"map_size",
-                      "one or two whole numbers of texels, at least 16 and at most 16384",
-                      "1024 1024", "side of a map, or its width and height", readSize},
+        PresetSetting{
+            "maps", describeValues(Maps), "",
+            "shadow maps of each light of that type; several need an integrated "
+            "shadow_technique; without it, three for Cascades, and else as many as others "
+            "of that type say, or one",
+            readAs<Maps>},
+        PresetSetting{"map_size", describeSizes(), "1024 1024",
+                      "side of a map, or its width and height", readSize},
         PresetSetting{"map_format", "one of OGRE's pixel formats, such as PF_FLOAT32_R",
                       "PF_FLOAT32_R", "format of a map; Lixel's materials read PF_FLOAT32_R",
                       readFormat},
-        PresetSetting{"shadow_technique",
-                      "one of texture_additive, texture_additive_integrated, texture_modulative, "
-                      "texture_modulative_integrated",
-                      "texture_additive_integrated", "OGRE's shadow technique",
-                      readWord<Techniques>},
-        PresetSetting{"filter", "one of nearest, bilinear", "bilinear",
-                      "which of Lixel's receivers draws shadows, where receiver_material does not "
-                      "say it; surfaces under integrated techniques choose their own",
+        PresetSetting{"shadow_technique", oneOf(Techniques), "texture_additive_integrated",
+                      "OGRE's shadow technique", readWord<Techniques>},
+        PresetSetting{"filter", oneOf(Filters), "bilinear",
+                      "filtering of Lixel's default receiver; has no effect with receiver_material "
+                      "or an integrated technique",
                       readWord<Filters>},
-        PresetSetting{"far_distance", "a number of world units, at least 0", "",
+        PresetSetting{"far_distance", "0, or " + describeValues(Distance), "",
                       "how far from the viewer there are shadows; 0: up to the far plane",
                       readDistance},
-        PresetSetting{"self_shadow", "true or false", "true",
-                      "whether what casts shadows receives them too", readFlag},
+        PresetSetting{"self_shadow", describeValues(Flag), "true",
+                      "whether what casts shadows receives them too", readAs<Flag>},
         PresetSetting{
-            "caster_material", "the name of a material, or none", "Lixel/Caster",
+            "caster_material", materialNames(), "Lixel/Caster",
             "the scene manager's caster; none: OGRE's own, which GL3Plus draws through the shader "
             "system alone",
             readName},
-        PresetSetting{"receiver_material", "the name of a material, or none", "",
+        PresetSetting{"receiver_material", materialNames(), "",
                       "the scene manager's receiver, which integrated techniques do not use; "
                       "without it, the one of Lixel's that fits shadow_technique and filter",
                       readName},

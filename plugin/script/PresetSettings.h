@@ -14,8 +14,8 @@ namespace Lixel {
 struct PresetSetting {
     std::string_view keyword;
     /// Describes the values that it takes: "a whole number, at least 1 and at most 8".
-    std::string_view values;
-    /// What it has where no script says it; empty where it leaves things as they are.
+    std::string values;
+    /// Default value; empty means OGRE's value is left unchanged.
     std::string_view standard;
     /// What it does, in one line.
     std::string_view use;

@@ -29,18 +29,26 @@ ShadowPreset& create(const Ogre::ObjectAbstractNode& object, const Ogre::String&
     return static_cast<ShadowPreset&>(*preset);
 }
 
+void fail(ScriptCompiler& compiler, const Ogre::AbstractNode& node, const std::string& what,
+          Ogre::uint32 code = ScriptCompiler::CE_INVALIDPARAMETERS) {
+    compiler.addError(code, node.file, static_cast<int>(node.line), what);
+}
+
 } // namespace
 
 void PresetTranslator::beginFile(const std::string& file) {
     mFile = file;
     mDefined.clear();
-    mSaid.clear();
-    mErrors = 0;
+    // The last one first: it puts back the listener that it found.
+    mErrors.reset();
+    mErrors = std::make_unique<ScriptErrors>();
 }
 
 std::size_t PresetTranslator::endFile() {
     mFile.clear();
-    return mErrors;
+    const std::size_t count = mErrors->count();
+    mErrors.reset();
+    return count;
 }
 
 Ogre::ScriptTranslator* PresetTranslator::getTranslator(const Ogre::AbstractNodePtr& node) {
@@ -52,54 +60,60 @@ Ogre::ScriptTranslator* PresetTranslator::getTranslator(const Ogre::AbstractNode
 
 void PresetTranslator::translate(ScriptCompiler* compiler, const Ogre::AbstractNodePtr& node) {
     const auto& object = static_cast<const Ogre::ObjectAbstractNode&>(*node);
-    bool hasErrors = false;
-    const auto fail = [&](const std::string& file, unsigned line, const std::string& what,
-                          Ogre::uint32 code = ScriptCompiler::CE_INVALIDPARAMETERS) {
-        const bool isNew = mFile.empty() || file != mFile || mSaid.emplace(line, what).second;
-        hasErrors = true;
-        if (!isNew) return;
-        ++mErrors;
-        compiler->addError(code, file, static_cast<int>(line), what);
-    };
+    const std::string& group = compiler->getResourceGroup();
     if (object.name.empty())
-        return fail(object.file, object.line, "a shadow_camera_setup needs a name",
+        return fail(*compiler, object, "a shadow_camera_setup needs a name",
                     ScriptCompiler::CE_OBJECTNAMEEXPECTED);
     if (!object.values.empty())
-        return fail(object.file, object.line,
+        return fail(*compiler, object,
                     "a shadow_camera_setup has one name, and '" + textOf(object.values) +
                         "' is more");
 
-    const ShadowPresetPtr existing =
-        ShadowCameraSetupManager::findByName(object.name, compiler->getResourceGroup());
-    const bool isReadAgain = existing && existing->getOrigin() == mFile && !mFile.empty() &&
-                             !mDefined.contains(object.name);
+    const ShadowPresetPtr existing = ShadowCameraSetupManager::findByName(object.name, group);
+    // Another group may have a file of that name.
+    const bool isReadAgain = existing && !mFile.empty() && existing->getOrigin() == mFile &&
+                             existing->getGroup() == group && !mDefined.contains(object.name);
     if (existing && !isReadAgain)
-        return fail(object.file, object.line,
-                    "'" + object.name + "' is defined already, in " + existing->getOrigin());
+        return fail(*compiler, object,
+                    "'" + object.name + "' is defined already, in " + existing->getOrigin() +
+                        (existing->getGroup() == group ? "" : " of group " + existing->getGroup()));
     mDefined.insert(object.name);
 
+    const auto [lines, areRight] = linesOf(*compiler, object);
+    // What is right already stays as it was.
+    if (isReadAgain && !areRight) return;
+    ShadowPreset& preset = isReadAgain ? *existing : create(object, group);
+    for (const auto& [line, what] : preset.define(lines))
+        compiler->addError(ScriptCompiler::CE_INVALIDPARAMETERS, line.file,
+                           static_cast<int>(line.line), what);
+}
+
+std::pair<std::vector<PresetLine>, bool>
+PresetTranslator::linesOf(ScriptCompiler& compiler, const Ogre::ObjectAbstractNode& object) const {
     std::vector<PresetLine> lines;
+    bool areRight = mErrors == nullptr || !mErrors->hasHiddenUnsetVariable();
     for (const Ogre::AbstractNodePtr& child : object.children) {
         if (child->type == Ogre::ANT_PROPERTY) {
             const auto& line = static_cast<const Ogre::PropertyAbstractNode&>(*child);
             const std::string value = textOf(line.values);
+            const bool isCut = mErrors && mErrors->hasUnsetVariable(line.file, line.line);
+            areRight = areRight && !isCut && !value.empty();
+            if (isCut) continue;
             if (value.empty())
-                fail(child->file, child->line, "'" + line.name + "' has no value");
+                fail(compiler, *child, "'" + line.name + "' has no value");
             else
                 lines.push_back({line.name, value, child->file, child->line});
         } else if (child->type == Ogre::ANT_ATOM) {
-            fail(child->file, child->line, "'" + child->getValue() + "' has no value");
+            areRight = false;
+            fail(compiler, *child, "'" + child->getValue() + "' has no value");
         } else if (child->type == Ogre::ANT_OBJECT) {
-            fail(child->file, child->line,
+            areRight = false;
+            fail(compiler, *child,
                  "'" + child->getValue() + "' does not belong into a shadow_camera_setup",
                  ScriptCompiler::CE_UNEXPECTEDTOKEN);
         }
     }
-    // What is right already stays as it was.
-    if (isReadAgain && hasErrors) return;
-    ShadowPreset& preset = isReadAgain ? *existing : create(object, compiler->getResourceGroup());
-    for (const auto& [line, what] : preset.define(lines))
-        fail(line.file, line.line, what);
+    return {lines, areRight};
 }
 
 } // namespace Lixel

@@ -1,10 +1,15 @@
 #pragma once
 
+#include "script/ScriptErrors.h"
+#include "script/ShadowPreset.h"
+
 #include <OgreScriptTranslator.h>
 
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace Lixel {
 
@@ -20,13 +25,16 @@ public:
     void translate(Ogre::ScriptCompiler* compiler, const Ogre::AbstractNodePtr& node) override;
 
 private:
+    /// An object's lines without those that are wrong, and whether none is.
+    std::pair<std::vector<PresetLine>, bool> linesOf(Ogre::ScriptCompiler& compiler,
+                                                     const Ogre::ObjectAbstractNode& object) const;
+
     /// The file that is being read; empty while OGRE reads one of its own.
     std::string mFile;
     /// Presets that it has defined so far.
     std::set<std::string> mDefined;
-    std::size_t mErrors = 0;
-    /// Errors that were said, each with its line: a setup that inherits a wrong line has the same.
-    std::set<std::pair<unsigned, std::string>> mSaid;
+    /// Those of that file; null while OGRE reads one of its own.
+    std::unique_ptr<ScriptErrors> mErrors;
 };
 
 } // namespace Lixel

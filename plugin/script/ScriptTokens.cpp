@@ -75,7 +75,8 @@ private:
         skipTo(end == std::string_view::npos ? end : end + 2);
     }
 
-    /// A backslash stands before a quotation mark that is part of the text.
+    /// A backslash stands before a quotation mark that is part of the text. OGRE takes several
+    /// backslashes for one.
     void readQuote() {
         const unsigned begin = mLine;
         std::string text;
@@ -87,8 +88,10 @@ private:
                 ++mNext;
                 return add(Type::Quote, std::move(text));
             }
-            if (last == '\\' && c != '"') text += '\\';
-            if (c != '\\') text += c;
+            if (c != '\\') {
+                if (last == '\\' && c != '"') text += '\\';
+                text += c;
+            }
             last = c;
         }
         mResult.openQuote = begin;

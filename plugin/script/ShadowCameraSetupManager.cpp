@@ -10,8 +10,6 @@
 #include <OgreException.h>
 #include <OgreLogManager.h>
 #include <OgreResourceGroupManager.h>
-#include <OgreRoot.h>
-#include <OgreSceneManager.h>
 #include <OgreScriptCompiler.h>
 
 #include <algorithm>
@@ -45,16 +43,16 @@ Ogre::DataStreamPtr streamOf(const std::string& text, const std::string& name) {
     return Ogre::DataStreamPtr(stream);
 }
 
-/// Has OGRE's script compiler forget what it imported: it does not where it throws.
+/// Clears import caches that OGRE leaves filled after an exception.
 void clearCompiler(const std::string& group) {
     Ogre::DataStreamPtr nothing = streamOf("", "");
     Ogre::ScriptCompilerManager::getSingleton().parseScript(nothing, group);
 }
 
-std::optional<std::string> readScript(const std::string& file, const std::string& group) {
+std::optional<std::string> loadText(const std::string& file, const std::string& group) {
     const Ogre::DataStreamPtr stream =
         Ogre::ResourceGroupManager::getSingleton().openResource(file, group, nullptr, false);
-    return stream ? std::optional(withoutMark(stream->getAsString())) : std::nullopt;
+    return stream ? std::optional(stream->getAsString()) : std::nullopt;
 }
 
 } // namespace
@@ -133,9 +131,8 @@ std::size_t ShadowCameraSetupManager::readScript(Ogre::DataStream& stream,
                                                  const Ogre::String& group) {
     const std::string text = withoutMark(stream.getAsString());
     const std::string file = stream.getName();
-    const auto fault = findScriptFault(text, file, [&](const std::string& imported) {
-        return Lixel::readScript(imported, group);
-    });
+    const auto fault = findScriptFault(
+        text, file, [&](const std::string& imported) { return loadText(imported, group); });
     if (fault) {
         logScriptError(fault->file, fault->line, fault->what);
         return 1;
@@ -158,12 +155,12 @@ std::size_t ShadowCameraSetupManager::reload(const Ogre::String& group) {
     for (const ShadowPresetPtr& preset : list())
         before.emplace_back(preset, preset->state());
     std::size_t errors = readGroup(group);
-    const std::string refusal = useAllAgain();
+    const std::string refusal = useAllPresetsAgain();
     if (refusal.empty()) return errors;
-    // What is right each for itself, and not together.
+    // Each preset is valid, but they conflict.
     for (const auto& [preset, state] : before)
         preset->restore(state);
-    useAllAgain();
+    useAllPresetsAgain();
     Ogre::LogManager::getSingleton().logError(
         "Lixel: all shadow_camera_setups stay as they were: " + refusal);
     return errors + 1;
@@ -179,17 +176,6 @@ std::size_t ShadowCameraSetupManager::readGroup(const Ogre::String& group) {
         if (read.insert(file.filename).second)
             errors += readScript(*file.archive->open(file.filename), group);
     return errors;
-}
-
-std::string ShadowCameraSetupManager::useAllAgain() {
-    for (const auto& [name, sceneManager] : Ogre::Root::getSingleton().getSceneManagers()) {
-        try {
-            usePresetsAgain(*sceneManager);
-        } catch (const Ogre::Exception& exception) {
-            return "in scene manager '" + name + "', " + exception.getDescription();
-        }
-    }
-    return {};
 }
 
 Ogre::Resource* ShadowCameraSetupManager::createImpl(const Ogre::String& name,

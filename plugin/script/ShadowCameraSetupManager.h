@@ -40,9 +40,9 @@ public:
     /// All of a group, or of all groups where it is empty, in the order of their names.
     static std::vector<ShadowPresetPtr> list(const Ogre::String& group = "");
 
-    /** Reads the `.shadow` files of a group again, as they are on disk now, and gives what they define
-        to all lights and scene managers that use it. A definition with an error stays as it was,
-        and so does one that is no longer there; all of them do where two that are used in a scene
+    /** Reads the `.shadow` files of a group again, as they are on disk now, and gives what they
+        define to all lights and scene managers that use it. A definition with an error stays as it
+        was, and so does one that is no longer there; all of them do where two that are used in a scene
         contradict each other.
         @return how many errors there were; the log has them
     */
@@ -53,8 +53,6 @@ public:
 private:
     /// Reads a group's `.shadow` files. @return how many errors there were
     std::size_t readGroup(const Ogre::String& group);
-    /// Gives all presets to what uses them. @return empty, or why one scene manager refuses
-    static std::string useAllAgain();
     /// Reads one `.shadow` file. @return how many errors there were
     std::size_t readScript(Ogre::DataStream& stream, const Ogre::String& group);
 

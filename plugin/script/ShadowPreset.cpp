@@ -2,6 +2,7 @@
 
 #include "scene/NameList.h"
 #include "script/PresetUse.h"
+#include "script/PresetWords.h"
 #include "setup/CascadesShadowCameraSetup.h"
 #include "setup/SetupList.h"
 
@@ -9,44 +10,63 @@
 #include <OgreLight.h>
 #include <OgreSceneManager.h>
 
-#include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace Lixel {
 namespace {
 
-/// A setup under construction: of one technique, or cascades and the setup of their slices.
-struct Parts {
-    const SetupKind* kind;
-    const SetupKind* slices; ///< null unless cascades
-    std::shared_ptr<FittedShadowCameraSetup> setup;
-    std::shared_ptr<FittedShadowCameraSetup> sliceSetup;
+using WrongLines = std::vector<std::pair<PresetLine, std::string>>;
 
-    explicit Parts(const SettingValues& settings)
-        : kind(findSetupKind(settingOf(settings, "technique"))), slices(nullptr) {
-        if (kind->name != "Cascades") {
-            setup = kind->create();
-            return;
+/// Makes a setup: of one technique, or cascades and the setup of their slices.
+class SetupBuilder {
+public:
+    /// Sets the options that are right.
+    SetupBuilder(const SettingValues& settings, const std::vector<PresetLine>& options)
+        : mKind(findSetupKind(settingOf(settings, "technique"))) {
+        if (mKind->name == CascadesWord) {
+            mSlices = findSetupKind(settingOf(settings, "slices"));
+            mSliceSetup = mSlices->create();
+            setup = CascadesShadowCameraSetup::create(mSliceSetup);
+        } else {
+            setup = mKind->create();
         }
-        slices = findSetupKind(settingOf(settings, "slices"));
-        sliceSetup = slices->create();
-        setup = CascadesShadowCameraSetup::create(sliceSetup);
+        for (const PresetLine& line : options)
+            add(line);
+    }
+
+    std::shared_ptr<FittedShadowCameraSetup> setup;
+    std::vector<PresetLine> right;
+    WrongLines wrong;
+
+private:
+    void add(const PresetLine& line) {
+        const std::string fault = hasOption(line.keyword)
+                                      ? set(line)
+                                      : "there is no keyword '" + line.keyword +
+                                            "' of a shadow_camera_setup of " + name() +
+                                            "; there are: " + keywords();
+        if (fault.empty())
+            right.push_back(line);
+        else
+            wrong.emplace_back(line, fault);
     }
 
     bool isOfSlices(const std::string& keyword) const {
-        return slices != nullptr && findOption(slices->options, keyword) != nullptr &&
-               findOption(kind->options, keyword) == nullptr;
+        return mSlices != nullptr && findOption(mSlices->options, keyword) != nullptr &&
+               findOption(mKind->options, keyword) == nullptr;
     }
 
     bool hasOption(const std::string& keyword) const {
-        return findOption(kind->options, keyword) != nullptr || isOfSlices(keyword) ||
+        return findOption(mKind->options, keyword) != nullptr || isOfSlices(keyword) ||
                findOption(CommonOptions::declared(), keyword) != nullptr;
     }
 
     /// @return what is wrong; empty where the option was set
     std::string set(const PresetLine& line) const {
         try {
-            (isOfSlices(line.keyword) ? sliceSetup : setup)->setParameter(line.keyword, line.value);
+            (isOfSlices(line.keyword) ? mSliceSetup : setup)
+                ->setParameter(line.keyword, line.value);
         } catch (const Ogre::Exception& exception) {
             return exception.getDescription();
         }
@@ -58,10 +78,10 @@ struct Parts {
         std::vector<std::string> names;
         for (const PresetSetting& setting : presetSettings())
             names.emplace_back(setting.keyword);
-        for (const Option& option : kind->options)
+        for (const Option& option : mKind->options)
             names.emplace_back(option.keyword);
-        if (slices != nullptr)
-            for (const Option& option : slices->options)
+        if (mSlices != nullptr)
+            for (const Option& option : mSlices->options)
                 names.emplace_back(option.keyword);
         for (const Option& option : CommonOptions::declared())
             names.emplace_back(option.keyword);
@@ -69,12 +89,45 @@ struct Parts {
     }
 
     std::string name() const {
-        std::string text(kind->name);
-        if (slices != nullptr) {
+        std::string text(mKind->name);
+        if (mSlices != nullptr) {
             text += " of ";
-            text += slices->name;
+            text += mSlices->name;
         }
         return text;
+    }
+
+    const SetupKind* mKind;
+    const SetupKind* mSlices = nullptr; ///< null unless cascades
+    std::shared_ptr<FittedShadowCameraSetup> mSliceSetup;
+};
+
+/// Lines sorted into settings, options of the setup, and what is wrong.
+struct SortedLines {
+    SettingValues settings;
+    std::vector<PresetLine> options;
+    WrongLines wrong;
+
+    explicit SortedLines(const std::vector<PresetLine>& lines) {
+        PresetLine slices;
+        for (const PresetLine& line : lines) {
+            const PresetSetting* const setting = findPresetSetting(line.keyword);
+            if (setting == nullptr) {
+                options.push_back(line);
+            } else if (const std::optional<std::string> value = setting->read(line.value)) {
+                settings[line.keyword] = *value;
+                if (line.keyword == "slices") slices = line;
+            } else {
+                wrong.emplace_back(line, line.keyword + ": '" + line.value + "' is not " +
+                                             setting->values);
+            }
+        }
+        if (!settings.contains("slices") || settingOf(settings, "technique") == CascadesWord)
+            return;
+        wrong.emplace_back(slices, "slices: only 'technique " + std::string(CascadesWord) +
+                                       "' has slices, and this is " +
+                                       settingOf(settings, "technique"));
+        settings.erase("slices");
     }
 };
 
@@ -87,45 +140,15 @@ ShadowPreset::ShadowPreset(Ogre::ResourceManager* creator, const Ogre::String& n
 
 std::vector<std::pair<PresetLine, std::string>>
 ShadowPreset::define(const std::vector<PresetLine>& lines) {
-    std::vector<std::pair<PresetLine, std::string>> wrong;
-    SettingValues settings;
-    std::vector<PresetLine> others;
-    for (const PresetLine& line : lines) {
-        const PresetSetting* const setting = findPresetSetting(line.keyword);
-        if (setting == nullptr) {
-            others.push_back(line);
-        } else if (const std::optional<std::string> value = setting->read(line.value)) {
-            settings[line.keyword] = *value;
-        } else {
-            wrong.emplace_back(line, line.keyword + ": '" + line.value + "' is not " +
-                                         std::string(setting->values));
-        }
-    }
-    if (settings.contains("slices") && settingOf(settings, "technique") != "Cascades") {
-        const auto line = std::ranges::find(lines, "slices", &PresetLine::keyword);
-        wrong.emplace_back(*line, "slices: only 'technique Cascades' has slices, and this is " +
-                                      settingOf(settings, "technique"));
-        settings.erase("slices");
-    }
-    // What they may be is known only now that the technique is.
-    std::vector<PresetLine> options;
-    const Parts parts(settings);
-    for (const PresetLine& line : others) {
-        const std::string fault = parts.hasOption(line.keyword)
-                                      ? parts.set(line)
-                                      : "there is no keyword '" + line.keyword +
-                                            "' of a shadow_camera_setup of " + parts.name() +
-                                            "; there are: " + parts.keywords();
-        if (fault.empty())
-            options.push_back(line);
-        else
-            wrong.emplace_back(line, fault);
-    }
+    auto [settings, options, wrong] = SortedLines(lines);
+    // Which options there are is known only now that the technique is.
+    const SetupBuilder builder(settings, options);
+    wrong.insert(wrong.end(), builder.wrong.begin(), builder.wrong.end());
     if (mIsDefined && !wrong.empty()) return wrong;
     mIsDefined = true;
     mSettings = settings;
-    mOptions = options;
-    if (isLoaded()) mSetup = parts.setup;
+    mOptions = builder.right;
+    if (isLoaded()) mSetup = builder.setup;
     return wrong;
 }
 
@@ -133,13 +156,12 @@ void ShadowPreset::restore(const ShadowPreset::State& state) {
     mSettings = state.settings;
     mOptions = state.options;
     mSetup = state.setup;
+    // It may have been loaded since.
+    if (isLoaded() && !mSetup) loadImpl();
 }
 
 void ShadowPreset::loadImpl() {
-    const Parts parts(mSettings);
-    for (const PresetLine& line : mOptions)
-        parts.set(line);
-    mSetup = parts.setup;
+    mSetup = SetupBuilder(mSettings, mOptions).setup;
 }
 
 void ShadowPreset::unloadImpl() {

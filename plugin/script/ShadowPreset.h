@@ -26,8 +26,8 @@ struct PresetLine {
     unsigned line = 0;
 };
 
-/** What a `shadow_camera_setup` script defines: a setup with its options, and what goes with it: the
-    number, size and format of maps, OGRE's shadow technique and the materials.
+/** What a `shadow_camera_setup` script defines: a setup with its options, and what goes with it:
+    the number, size and format of maps, OGRE's shadow technique and the materials.
 
     ShadowCameraSetupManager has them by name. In one line:
 
@@ -36,7 +36,8 @@ struct PresetLine {
     Map size and format, shadow technique, materials and self-shadowing are the scene manager's in
     OGRE, and the number of maps is that of all lights of a type. So two presets in one scene that
     say different values are an error that names both; what a preset does not say goes with
-    whatever another says, and has its standard value where none does.
+    whatever another says, and has its standard value where none does. Cascades that do not say how
+    many maps they have count as saying three.
 */
 class LIXEL_API ShadowPreset : public Ogre::Resource {
 public:
@@ -44,8 +45,8 @@ public:
                  Ogre::ResourceHandle handle, const Ogre::String& group, bool isManual,
                  Ogre::ManualResourceLoader* loader);
 
-    /** Gives the light this preset: it casts shadows, with this setup, and its scene manager has what
-        goes with it. It has it again after the script was edited and reloaded.
+    /** Gives the light this preset: it casts shadows, with this setup, and its scene manager has
+        what goes with it. It has it again after the script was edited and reloaded.
         @throws Ogre::InvalidParametersException where another preset in this scene says otherwise
         @throws Ogre::ItemIdentityException where there is no material of a name that it says
     */

@@ -127,7 +127,7 @@ TEST(MutatedPresetScripts, NeitherCrashNorHangNorSpoilOthers) {
         ++(isLeftOut ? leftOut : read);
         manager.removeAll();
     }
-    // Both ways are gone often.
+    // Both outcomes must be common.
     EXPECT_GT(read, mutations() / 20);
     EXPECT_GT(leftOut, mutations() / 20);
     ogre.initialise();

@@ -9,26 +9,11 @@
 
 #include <OgreException.h>
 #include <OgreResourceGroupManager.h>
+#include <OgreScriptCompiler.h>
 #include <gtest/gtest.h>
 
 namespace Lixel::Tests {
 namespace {
-
-ShadowPresetPtr preset(const std::string& name) {
-    return ShadowCameraSetupManager::findByName(name);
-}
-
-/// Has one file read. @return what was logged as errors, a line each
-std::string errorsOf(ScriptOgre& ogre, const std::string& script,
-                     const std::string& file = "my.shadow") {
-    ogre.write(file, script);
-    ogre.takeErrors();
-    ogre.initialise();
-    std::string errors;
-    for (const std::string& error : ogre.takeErrors())
-        errors += error + '\n';
-    return errors;
-}
 
 TEST(PresetScript, DefinesASetupAndWhatGoesWithIt) {
     ScriptOgre ogre;
@@ -184,7 +169,16 @@ const WrongScript WrongScripts[] = {
     {"OutOfRange", "shadow_camera_setup Bad\n{\n    epsilon_w 1.5\n}\n",
      "my.shadow(3): epsilon_w: '1.5' is not a number, above 0 and at most 1"},
     {"NotANumberAtAll", "shadow_camera_setup Bad\n{\n    far_distance nan\n}\n",
-     "my.shadow(3): far_distance: 'nan' is not a number of world units, at least 0"},
+     "my.shadow(3): far_distance: 'nan' is not 0, or a number of world units, at least 1e-18 and "
+     "at "
+     "most 1e+18"},
+    {"DistanceOfNoFloat", "shadow_camera_setup Bad\n{\n    far_distance 1e300\n}\n",
+     "my.shadow(3): far_distance: '1e300' is not 0, or a number of world units, at least 1e-18"},
+    {"DistanceThatFloatsRoundToZero", "shadow_camera_setup Bad\n{\n    far_distance 1e-50\n}\n",
+     "my.shadow(3): far_distance: '1e-50' is not 0, or a number of world units, at least 1e-18"},
+    {"SlicesThatCount",
+     "shadow_camera_setup Bad\n{\n    slices XPSM\n    slices PSM\n    slices Cascades\n}\n",
+     "my.shadow(4): slices: only 'technique Cascades' has slices, and this is XPSM"},
     {"NotAFlag", "shadow_camera_setup Bad\n{\n    guarded maybe\n}\n",
      "my.shadow(3): guarded: 'maybe' is not true or false"},
     {"TooManyMaps", "shadow_camera_setup Bad\n{\n    maps 9\n}\n",
@@ -210,9 +204,9 @@ const WrongScript WrongScripts[] = {
     {"NoName", "shadow_camera_setup\n{\n}\n", "needs one name in my.shadow(1); the file is left"},
     {"Material", "material Bad\n{\n}\n", "'material' does not belong here: a .shadow file has"},
     {"ImportOfItself", "import * from my.shadow\n",
-     "'my.shadow' is imported by what it imports itself in my.shadow(1); the file is left out"},
+     "circular import of 'my.shadow' in my.shadow(1); the file is left out"},
     {"VariableOfItself", "set $a \"$a\"\n",
-     "the variable $a is set to itself, by way of others or at once in my.shadow(1)"},
+     "the variable $a is defined in terms of itself in my.shadow(1)"},
     {"ImportOfNothing", "import * from nothing.shadow\n",
      "there is no file 'nothing.shadow' in my.shadow(1); the file is left out"},
 };
@@ -236,25 +230,22 @@ TEST_P(WrongPresetScript, IsLoggedWithItsLineAndTheRestIsRead) {
 INSTANTIATE_TEST_SUITE_P(All, WrongPresetScript, testing::ValuesIn(WrongScripts),
                          [](const auto& wrong) { return wrong.param.name; });
 
-TEST(PresetScript, IsReadAgain) {
+TEST(PresetScript, TellsTheListenerOfAnApplication) {
+    struct Listener : Ogre::ScriptCompilerListener {
+        void handleError(Ogre::ScriptCompiler*, Ogre::uint32, const Ogre::String&, int,
+                         const Ogre::String&) override {
+            ++errors;
+        }
+        int errors = 0;
+    } listener;
     ScriptOgre ogre;
-    errorsOf(ogre, "shadow_camera_setup A\n{\ntechnique XPSM\nstrength 1\n}\n");
-    const ShadowPresetPtr a = preset("A");
-    const auto before = a->getSetup();
-    auto& manager = ShadowCameraSetupManager::getSingleton();
-
-    ogre.write("my.shadow", "shadow_camera_setup A\n{\ntechnique Uniform\nstrength 3\n}\n"
-                            "shadow_camera_setup New\n{\nmaps 2\n}\n");
-    EXPECT_EQ(manager.reload("Scripts"), 1U);
-    EXPECT_EQ(ogre.takeErrors().size(), 1U);
-    EXPECT_EQ(a->getSetup(), before) << "an error keeps what is right";
-    EXPECT_TRUE(preset("New"));
-
-    ogre.write("my.shadow", "shadow_camera_setup A\n{\ntechnique XPSM\nstrength 3\n}\n");
-    EXPECT_EQ(manager.reload("Scripts"), 0U);
-    EXPECT_EQ(preset("A"), a);
-    EXPECT_EQ(a->getSetup()->getParameter("strength"), "3");
-    EXPECT_TRUE(preset("New")) << "what is there stays";
+    auto& compilers = Ogre::ScriptCompilerManager::getSingleton();
+    compilers.setListener(&listener);
+    errorsOf(ogre, "shadow_camera_setup A\n{\nmaps 9\nmap_size $unset\n}\n");
+    // OGRE's own, and that of the plugin.
+    EXPECT_EQ(listener.errors, 2);
+    EXPECT_EQ(compilers.getListener(), &listener);
+    compilers.setListener(nullptr);
 }
 
 TEST(PresetScript, MayBeginWithAByteOrderMark) {
@@ -269,6 +260,13 @@ TEST(PresetScript, OfAWrongParentIsSaidOnce) {
                                               "shadow_camera_setup B : A\n{\nmap_size 64\n}\n");
     EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
     EXPECT_EQ(preset("B")->getSetting("map_size"), "64 64");
+    // The file of B does not translate A itself.
+    ogre.write("my.shadow", "shadow_camera_setup A\n{\nmaps 9\n}\n");
+    ogre.write("other.shadow", "import * from my.shadow\nshadow_camera_setup C : A\n{\n}\n"
+                               "shadow_camera_setup D : A\n{\n}\n");
+    ogre.takeErrors();
+    ogre.initialise();
+    EXPECT_EQ(ogre.takeErrors().size(), 2U) << "once for each file that is read";
 }
 
 } // namespace

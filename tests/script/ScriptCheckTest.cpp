@@ -38,6 +38,7 @@ TEST(ScriptTokens, AreOgres) {
     EXPECT_EQ(result.tokens.back().line, 5U);
     EXPECT_EQ(result.openQuote, 0U);
     EXPECT_EQ(tokensOf("a\n\"b\nc").openQuote, 2U);
+    EXPECT_EQ(tokensOf(R"("a\\b \c")").tokens.front().text, R"(a\b \c)");
 }
 
 TEST(ScriptCheck, FindsNoFaultWhereThereIsNone) {
@@ -83,9 +84,9 @@ TEST(ScriptCheck, FindsImportsThatOgreDoesNotSurvive) {
     expectFault("import A from", "expected: import NAME");
     expectFault("import A of b.shadow\n", "expected: import NAME");
     expectFault("shadow_camera_setup A {\n import * from b.shadow\n}\n", "outside of all blocks");
-    expectFault("import * from my.shadow\n", "my.shadow(1): 'my.shadow' is imported by what",
+    expectFault("import * from my.shadow\n", "my.shadow(1): circular import of 'my.shadow'",
                 {{"my.shadow", Good}});
-    expectFault("import * from a.shadow\n" + Good, "b.shadow(6): 'a.shadow' is imported by what",
+    expectFault("import * from a.shadow\n" + Good, "b.shadow(6): circular import of 'a.shadow'",
                 {{"a.shadow", "import * from b.shadow\n" + Good},
                  {"b.shadow", Good + "\nimport * from a.shadow\n"}});
     expectFault("import * from none.shadow\n", "there is no file 'none.shadow'");
@@ -98,18 +99,71 @@ TEST(ScriptCheck, FindsParentsThatAreNotThere) {
     expectFault("shadow_camera_setup A : B {\n}\n", "there is no 'B' before it");
     expectFault("shadow_camera_setup A : A {\n}\n", "there is no 'A' before it");
     expectFault("shadow_camera_setup A : Good {\n}\n" + Good, "there is no 'Good' before it");
+    // What is not imported of a file is no parent.
+    const Files files{{"two.shadow", Good + "shadow_camera_setup Other {\n}\n"},
+                      {"both.shadow", "import * from two.shadow\nshadow_camera_setup C {\n}\n"}};
+    expectFault("import Good from two.shadow\nshadow_camera_setup A : Other {\n}\n",
+                "my.shadow(2): there is no 'Other' before it", files);
+    EXPECT_EQ(faultOf("import Good from two.shadow\nimport Other from two.shadow\n"
+                      "shadow_camera_setup A : Other Good {\n}\n",
+                      files),
+              "");
+    EXPECT_EQ(faultOf("import C from both.shadow\nshadow_camera_setup A : Other {\n}\n", files), "")
+        << "OGRE has one table for the imports of all files";
 }
 
 TEST(ScriptCheck, FindsVariablesThatOgreDoesNotSurvive) {
-    expectFault("set $a \"$a\"\n" + Good, "the variable $a is set to itself");
+    expectFault("set $a \"$a\"\n" + Good,
+                "my.shadow(1): the variable $a is defined in terms of itself");
     expectFault("set $a \"1 $b\"\n" + Good + "shadow_camera_setup B {\n set $b $c\n}\n",
                 "expected: set $NAME VALUE");
     expectFault("set $a \"1 $b\"\nset $b \"$c 2\"\nset $c $a\n", "expected: set $NAME VALUE");
-    expectFault("set $a \"1 $b\"\nset $b \"$c 2\"\nset $c \"$a\"\n", "is set to itself");
-    expectFault("set $a \"1 }\"\n", "the value of $a has more than words");
+    expectFault("set $a \"1 $b\"\nset $b \"$c 2\"\nset $c \"$a\"\n",
+                "my.shadow(3): the variable $c is defined in terms of itself");
+    expectFault("set $a \"1 }\"\n", "the value of $a may contain only words and variables");
     expectFault("set $a\n", "expected: set $NAME VALUE");
     expectFault("set a 1\n", "expected: set $NAME VALUE");
     expectFault("set", "expected: set $NAME VALUE");
+}
+
+TEST(ScriptCheck, BlamesTheFileThatSetsAVariable) {
+    expectFault("import * from good.shadow\n",
+                "good.shadow(5): the variable $a is defined in terms",
+                {{"good.shadow", Good + "set $a \"$a\"\n"}});
+}
+
+TEST(ScriptCheck, FindsByteOrderMarksOfImportedFiles) {
+    expectFault("import * from good.shadow\n", "good.shadow(1): begins with a byte order mark",
+                {{"good.shadow", "\xEF\xBB\xBF" + Good}});
+}
+
+/// Each names the one before it so often.
+std::string variables(int count, int times) {
+    std::string script = "set $v0 1\n";
+    for (int i = 1; i < count; ++i) {
+        script += "set $v" + std::to_string(i) + " \"";
+        for (int j = 0; j < times; ++j)
+            script += " $v" + std::to_string(i - 1);
+        script += "\"\n";
+    }
+    return script;
+}
+
+TEST(ScriptCheck, LimitsWhatVariablesStandFor) {
+    EXPECT_EQ(faultOf(variables(9, 2)), "");
+    expectFault(variables(100, 2), "my.shadow(11): the variable $v10 stands for more than 1000");
+    EXPECT_EQ(faultOf(variables(32, 1)), "");
+    expectFault(variables(100000, 1), "more than 32 variables within one another");
+}
+
+TEST(ScriptCheck, LimitsInheritedLines) {
+    std::string script = "shadow_camera_setup P0\n{\n    maps 1\n}\n";
+    for (int i = 1; i < 40; ++i) {
+        const std::string parent = "P" + std::to_string(i - 1);
+        script += "shadow_camera_setup P" + std::to_string(i) + " : " + parent + " " + parent +
+                  "\n{\n}\n";
+    }
+    expectFault(script, "'P14' has more than 10000 lines with those of its parents");
 }
 
 TEST(ScriptCheck, LimitsBlocksWithinBlocks) {

@@ -55,4 +55,18 @@ void ScriptOgre::messageLogged(const Ogre::String& message, Ogre::LogMessageLeve
     if (level >= Ogre::LML_CRITICAL) mErrors.push_back(message);
 }
 
+ShadowPresetPtr preset(const std::string& name) {
+    return ShadowCameraSetupManager::findByName(name);
+}
+
+std::string errorsOf(ScriptOgre& ogre, const std::string& script, const std::string& file) {
+    ogre.write(file, script);
+    ogre.takeErrors();
+    ogre.initialise();
+    std::string errors;
+    for (const std::string& error : ogre.takeErrors())
+        errors += error + '\n';
+    return errors;
+}
+
 } // namespace Lixel::Tests

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "script/ShadowPreset.h"
+
 #include <OgreLog.h>
 #include <OgreLogManager.h>
 #include <OgreRoot.h>
@@ -39,5 +41,12 @@ private:
     std::unique_ptr<Ogre::Root> mRoot;
     std::unique_ptr<ShadowCameraSetupManager> mManager;
 };
+
+/// The preset of that name; null where there is none.
+ShadowPresetPtr preset(const std::string& name);
+
+/// Writes one file and has all of them read. @return what was logged as errors, a line each
+std::string errorsOf(ScriptOgre& ogre, const std::string& script,
+                     const std::string& file = "my.shadow");
 
 } // namespace Lixel::Tests

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <OgreScriptCompiler.h>
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace Lixel {
+
+/** Counts the errors of OGRE's script compiler while it lives.
+
+    It stands before the listener that an application may have set, which is told all the same.
+*/
+class ScriptErrors : public Ogre::ScriptCompilerListener {
+public:
+    ScriptErrors();
+    ~ScriptErrors() override;
+    ScriptErrors(const ScriptErrors&) = delete;
+    ScriptErrors& operator=(const ScriptErrors&) = delete;
+
+    std::size_t count() const { return mLogged.size(); }
+    /// Whether a line has a variable that is not set, which OGRE drops. All variables are expanded
+    /// before the first object is translated.
+    bool hasUnsetVariable(const std::string& file, unsigned line) const;
+    /// Whether there is one in another variable's value: OGRE does not know where that is used.
+    bool hasHiddenUnsetVariable() const { return mHasHidden; }
+
+    Ogre::ConcreteNodeListPtr importFile(Ogre::ScriptCompiler* compiler,
+                                         const Ogre::String& name) override;
+    void preConversion(Ogre::ScriptCompiler* compiler, Ogre::ConcreteNodeListPtr nodes) override;
+    bool postConversion(Ogre::ScriptCompiler* compiler,
+                        const Ogre::AbstractNodeListPtr& nodes) override;
+    void handleError(Ogre::ScriptCompiler* compiler, Ogre::uint32 code, const Ogre::String& file,
+                     int line, const Ogre::String& message) override;
+    bool handleEvent(Ogre::ScriptCompiler* compiler, Ogre::ScriptCompilerEvent* event,
+                     void* result) override;
+
+private:
+    Ogre::ScriptCompilerListener* mNext;
+    /// Errors already logged; a child repeats its parent's wrong lines.
+    std::set<std::tuple<std::string, int, Ogre::uint32, std::string>> mLogged;
+    std::set<std::pair<std::string, int>> mUnset;
+    bool mHasHidden = false;
+};
+
+} // namespace Lixel

@@ -1,0 +1,59 @@
+#include "PresetScene.h"
+
+#include <unistd.h>
+
+#include <fstream>
+
+namespace Lixel::Tests {
+
+EditedScript::EditedScript(const std::string& text, const std::string& group, bool isInGlobalPool)
+    : mGroup(group),
+      mFolder(std::filesystem::temp_directory_path() /
+              ("lixel-presets-" + group + "-" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(mFolder);
+    write(text);
+    auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    groups.createResourceGroup(mGroup, isInGlobalPool);
+    groups.addResourceLocation(mFolder.string(), "FileSystem", mGroup);
+    groups.initialiseResourceGroup(mGroup);
+}
+
+EditedScript::~EditedScript() {
+    std::filesystem::remove_all(mFolder);
+}
+
+void EditedScript::write(const std::string& text) const {
+    std::ofstream(mFolder / "my.shadow") << text;
+}
+
+std::size_t EditedScript::edit(const std::string& text) const {
+    write(text);
+    return ShadowCameraSetupManager::getSingleton().reload(mGroup);
+}
+
+void apply(const std::string& name, Ogre::Light& light) {
+    ShadowCameraSetupManager::getByName(name)->applyTo(light);
+}
+
+std::string refusalOf(const std::string& name, Ogre::Light& light) {
+    try {
+        apply(name, light);
+    } catch (const Ogre::Exception& exception) {
+        return exception.getDescription();
+    }
+    return {};
+}
+
+UnshadowedScene::UnshadowedScene(const std::string& material)
+    : MaterialScene(IntegratedTechnique, "") {
+    Ogre::SceneManager& manager = stage.sceneManager();
+    manager.setShadowTechnique(Ogre::SHADOWTYPE_NONE);
+    for (Ogre::Light* light : lights) {
+        light->setCustomShadowCameraSetup({});
+        light->setCastShadows(false);
+        light->setVisible(light == lights.front());
+    }
+    wear(material);
+}
+
+} // namespace Lixel::Tests
