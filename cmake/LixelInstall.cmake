@@ -59,6 +59,7 @@ set(public_headers
   script/PresetSettings.h
   script/ShadowCameraSetupManager.h
   script/ShadowPreset.h
+  reload/Reload.h
   headless/Headless.h)
 if(LIXEL_BUILD_RTSS)
   list(APPEND public_headers rtss/ShaderSystem.h)

@@ -3,8 +3,11 @@
 // OgreRenderQueueSortingGrouping.h of 14 needs it and does not include it.
 #include <OgreIteratorWrapper.h>
 
+#include <OgreGpuProgramManager.h>
 #include <OgreGpuProgramParams.h>
 #include <OgreHardwarePixelBuffer.h>
+#include <OgreHighLevelGpuProgram.h>
+#include <OgreHighLevelGpuProgramManager.h>
 #include <OgreLight.h>
 #include <OgreRenderQueueSortingGrouping.h>
 #include <OgreRenderSystem.h>
@@ -60,6 +63,33 @@ inline void addSceneManagerListener(Ogre::SceneManager& manager, SceneManagerLis
 inline void removeSceneManagerListener(Ogre::SceneManager& manager,
                                        SceneManagerListener& listener) {
     manager.removeListener(&listener);
+}
+
+#endif
+
+#if OGRE_VERSION_MAJOR >= 13
+
+/// What has all programs in languages such as GLSL: since 13 it is the one for all programs.
+inline Ogre::ResourceManager& programManager() {
+    return Ogre::GpuProgramManager::getSingleton();
+}
+
+/// @throws Ogre::Exception where there is one of that name
+inline Ogre::GpuProgramPtr createProgram(const Ogre::String& name, const Ogre::String& group,
+                                         const Ogre::String& language, Ogre::GpuProgramType type) {
+    return Ogre::GpuProgramManager::getSingleton().createProgram(name, group, language, type);
+}
+
+#else
+
+inline Ogre::ResourceManager& programManager() {
+    return Ogre::HighLevelGpuProgramManager::getSingleton();
+}
+
+inline Ogre::GpuProgramPtr createProgram(const Ogre::String& name, const Ogre::String& group,
+                                         const Ogre::String& language, Ogre::GpuProgramType type) {
+    return Ogre::HighLevelGpuProgramManager::getSingleton().createProgram(name, group, language,
+                                                                          type);
 }
 
 #endif

@@ -1,0 +1,50 @@
+#include "reload/Reload.h"
+
+#include "reload/MaterialReload.h"
+#include "reload/ShaderReload.h"
+#include "script/ShadowCameraSetupManager.h"
+
+#include <OgreException.h>
+#include <OgreResourceGroupManager.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace Lixel {
+namespace {
+
+std::vector<ReloadListener*>& listeners() {
+    static std::vector<ReloadListener*> all;
+    return all;
+}
+
+} // namespace
+
+void addReloadListener(ReloadListener& listener) {
+    removeReloadListener(listener);
+    listeners().push_back(&listener);
+}
+
+void removeReloadListener(ReloadListener& listener) {
+    std::erase(listeners(), &listener);
+}
+
+std::vector<std::string> reload(const Ogre::String& group) {
+    if (!Ogre::ResourceGroupManager::getSingleton().resourceGroupExists(group))
+        OGRE_EXCEPT(Ogre::Exception::ERR_ITEM_NOT_FOUND,
+                    "group: there is no resource group '" + group + "'", "Lixel::reload");
+    // Programs first: materials bind what these have now.
+    std::vector<std::string> errors = reloadShaders(group);
+    std::ranges::move(reloadMaterials(group,
+                                      [](Ogre::Material& material) {
+                                          for (ReloadListener* const listener : listeners())
+                                              listener->materialChanges(material);
+                                      }),
+                      std::back_inserter(errors));
+    const std::size_t wrong = ShadowCameraSetupManager::getSingleton().reload(group);
+    if (wrong > 0)
+        errors.push_back(std::to_string(wrong) + " errors in .shadow files, which are in the log");
+    return errors;
+}
+
+} // namespace Lixel

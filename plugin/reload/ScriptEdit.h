@@ -1,0 +1,73 @@
+#pragma once
+
+#include <OgreGpuProgram.h>
+#include <OgreMaterial.h>
+#include <OgreScriptCompiler.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Lixel {
+
+/** While it exists, scripts that OGRE parses change the materials and programs that there are,
+    instead of failing to define them twice.
+
+    It takes the place of the application's listener, and hands on to it whatever it does not answer.
+*/
+class ScriptEdit : public Ogre::ScriptCompilerListener {
+public:
+    /// @param materialChanges is told of each material before it loses its techniques
+    explicit ScriptEdit(std::function<void(Ogre::Material&)> materialChanges);
+    ~ScriptEdit() override;
+    ScriptEdit(const ScriptEdit&) = delete;
+    ScriptEdit& operator=(const ScriptEdit&) = delete;
+
+    /** Parses a script.
+        @return what was wrong, a line each; then it has to be undone */
+    std::vector<std::string> parse(const Ogre::String& text, const Ogre::String& file,
+                                   const Ogre::String& group);
+    /// Puts back all materials and programs, and removes new ones.
+    void undo();
+
+    bool handleEvent(Ogre::ScriptCompiler* compiler, Ogre::ScriptCompilerEvent* event,
+                     void* result) override;
+    void handleError(Ogre::ScriptCompiler* compiler, Ogre::uint32 code, const Ogre::String& file,
+                     int line, const Ogre::String& message) override;
+    Ogre::ConcreteNodeListPtr importFile(Ogre::ScriptCompiler* compiler,
+                                         const Ogre::String& name) override;
+
+private:
+    /// What a program had before.
+    struct ProgramCopy {
+        Ogre::GpuProgramPtr program;
+        Ogre::String sourceFile;
+        Ogre::NameValuePairList settings;
+        bool wasLoaded;
+        bool wasBroken; ///< did not compile
+        /// Null where it had none.
+        Ogre::GpuProgramParametersSharedPtr defaults;
+    };
+
+    static bool hasChanged(const ProgramCopy& before);
+    static bool isUnusable(const ProgramCopy& before);
+    /// @return whether there were any
+    bool readChangedProgramsAgain();
+    Ogre::Material* changeMaterial(const Ogre::String& name, const Ogre::String& group);
+    Ogre::GpuProgram* changeProgram(const Ogre::String& name, const Ogre::String& group,
+                                    const Ogre::String& sourceFile);
+
+    std::function<void(Ogre::Material&)> mMaterialChanges;
+    Ogre::ScriptCompilerListener* mOthers;
+    /// As OGRE logs errors where there is no listener.
+    Ogre::ScriptCompilerListener mLogs;
+    std::vector<std::string> mErrors;
+    /// Copies, by the material that they are of.
+    std::map<Ogre::MaterialPtr, Ogre::MaterialPtr> mMaterials;
+    std::vector<ProgramCopy> mPrograms;
+    /// Names of what did not exist.
+    std::vector<std::pair<Ogre::String, Ogre::String>> mNewMaterials; ///< with their group
+};
+
+} // namespace Lixel

@@ -1,0 +1,61 @@
+#include "reload/ShaderReload.h"
+
+#include "scene/OgreVersions.h"
+
+#include <OgreGpuProgram.h>
+
+namespace Lixel {
+namespace {
+
+/// The programs whose text is a file's and is used: unused ones are read when they are loaded.
+std::vector<Ogre::GpuProgramPtr> loadedFrom(const Ogre::String& group) {
+    std::vector<Ogre::GpuProgramPtr> programs;
+    for (const auto& [handle, resource] : programManager().getResourceIterator()) {
+        auto program = std::static_pointer_cast<Ogre::GpuProgram>(resource);
+        if (program->isLoaded() && program->getGroup() == group &&
+            !program->getSourceFile().empty())
+            programs.push_back(std::move(program));
+    }
+    return programs;
+}
+
+/// A program as another one would be if it were loaded now. Not registered by that one's name.
+class Attempt {
+public:
+    explicit Attempt(const Ogre::GpuProgram& program)
+        : mMade(createProgram(program.getName() + "/Lixel/Attempt", program.getGroup(),
+                              program.getLanguage(), program.getType())) {
+        program.copyParametersTo(mMade.get());
+        mMade->setSourceFile(program.getSourceFile());
+        mMade->load();
+    }
+    ~Attempt() { programManager().remove(mMade); }
+    Attempt(const Attempt&) = delete;
+    Attempt& operator=(const Attempt&) = delete;
+
+    bool compiles() const { return !mMade->hasCompileError(); }
+    const Ogre::String& text() const { return mMade->getSource(); }
+
+private:
+    Ogre::GpuProgramPtr mMade;
+};
+
+} // namespace
+
+std::vector<std::string> reloadShaders(const Ogre::String& group) {
+    std::vector<std::string> errors;
+    for (const Ogre::GpuProgramPtr& program : loadedFrom(group)) {
+        // A program that fails loses its parameters, and so do the passes that use it. So the new
+        // text is tried by another one.
+        const Attempt attempt(*program);
+        if (!attempt.compiles())
+            errors.push_back("program '" + program->getName() + "': " + program->getSourceFile() +
+                             " does not compile, or what it includes; the program stays as it was "
+                             "(the compiler's lines are in the log)");
+        else if (attempt.text() != program->getSource())
+            program->reload();
+    }
+    return errors;
+}
+
+} // namespace Lixel

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Lixel/reload/Reload.h>
+
+#include <OgreResourceGroupManager.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace Lixel::Tests {
+
+/// A resource group whose files are edited.
+class EditedFolder {
+public:
+    static constexpr const char* Group = "EditedFolder";
+
+    EditedFolder()
+        : mFolder(std::filesystem::temp_directory_path() /
+                  ("lixel-edited-" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(mFolder);
+    }
+    ~EditedFolder() { std::filesystem::remove_all(mFolder); }
+    EditedFolder(const EditedFolder&) = delete;
+    EditedFolder& operator=(const EditedFolder&) = delete;
+
+    void write(const std::string& file, const std::string& text) const {
+        std::ofstream(mFolder / file) << text;
+    }
+    /// Has OGRE read the files that were written so far.
+    void parse() const {
+        auto& groups = Ogre::ResourceGroupManager::getSingleton();
+        groups.addResourceLocation(mFolder.string(), "FileSystem", Group);
+        groups.initialiseResourceGroup(Group);
+    }
+    static std::vector<std::string> reload() { return Lixel::reload(Group); }
+
+private:
+    std::filesystem::path mFolder;
+};
+
+} // namespace Lixel::Tests

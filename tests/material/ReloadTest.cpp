@@ -1,0 +1,226 @@
+// Scripts and shaders that are edited while a program draws.
+
+#include "EditedFolder.h"
+#include "MaterialScene.h"
+
+#include <Lixel/reload/Reload.h>
+
+#include <OgreScriptCompiler.h>
+
+namespace Lixel::Tests {
+namespace {
+
+const char* const Shader = R"(#version 330 core
+#include "edited.glsl"
+out vec4 fragColour;
+void main()
+{
+    fragColour = vec4(level(), 0.0, 0.0, 1.0);
+}
+)";
+
+const char* const VertexShader = R"(#version 330 core
+in vec4 vertex;
+uniform mat4 worldViewProj;
+void main()
+{
+    gl_Position = worldViewProj * vertex;
+}
+)";
+
+const char* const Programs = R"(
+vertex_program Edited/VP glsl
+{
+    source edited.vert
+    default_params
+    {
+        param_named_auto worldViewProj worldviewproj_matrix
+    }
+}
+fragment_program Edited/FP glsl
+{
+    source edited.frag
+    default_params
+    {
+        param_named scale float 1
+    }
+}
+)";
+
+/// The fragment program's parameters are given by `lines`.
+std::string materialWith(const std::string& lines) {
+    return "material Edited/Level\n{\n    technique\n    {\n        pass\n        {\n"
+           "            vertex_program_ref Edited/VP\n            {\n            }\n"
+           "            fragment_program_ref Edited/FP\n            {\n                " +
+           lines + "\n            }\n        }\n    }\n}\n";
+}
+
+std::string levelOf(const std::string& value) {
+    return "uniform float scale;\nfloat level()\n{\n    return " + value + " * scale;\n}\n";
+}
+
+/// A ground whose colour is in files: half of white to begin with.
+class Reload : public testing::Test {
+protected:
+    Reload() : scene(IntegratedTechnique, "") {
+        scene.wear("Lixel/Surface/Integrated");
+        folder.write("edited.vert", VertexShader);
+        folder.write("edited.frag", Shader);
+        folder.write("edited.glsl", levelOf("0.5"));
+        folder.write("edited.program", Programs);
+        folder.write("edited.material", materialWith(""));
+        // Broken from the start.
+        folder.write("later.frag", "#version 330 core\nwrong");
+        folder.write("later.program", "fragment_program Edited/LaterFP glsl\n{\n"
+                                      "    source later.frag\n    default_params\n    {\n"
+                                      "    }\n}\n");
+        folder.parse();
+        static_cast<Ogre::Entity&>(*scene.ground->getAttachedObject(0))
+            .setMaterialName("Edited/Level", EditedFolder::Group);
+        EXPECT_EQ(level(), 128);
+    }
+
+    int level() { return scene.draw()[scene.pixelOf(Ogre::Vector3(4, 0, 4))]; }
+
+    void expectAll(const std::vector<std::string>& errors, const std::string& text) const {
+        EXPECT_FALSE(errors.empty()) << text;
+        for (const std::string& error : errors)
+            EXPECT_NE(error.find(text), std::string::npos) << error;
+    }
+
+    MaterialScene scene;
+    EditedFolder folder;
+};
+
+TEST_F(Reload, ShowsWhatAShaderIncludes) {
+    folder.write("edited.glsl", levelOf("0.25"));
+    EXPECT_EQ(level(), 128) << "nothing was read yet";
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(level(), 64);
+}
+
+TEST_F(Reload, ShowsAMaterial) {
+    folder.write("edited.material", materialWith("param_named scale float 0.5"));
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(level(), 64);
+    folder.write("edited.material", materialWith(""));
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(level(), 128) << "a line that went has no effect any more";
+}
+
+TEST_F(Reload, ShowsAProgramsDefaults) {
+    std::string half = Programs;
+    half.replace(half.find("float 1"), 7, "float 0.5");
+    folder.write("edited.program", half);
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(level(), 64);
+}
+
+TEST_F(Reload, ShowsDefinitionsOfThePreprocessor) {
+    folder.write("edited.glsl", "uniform float scale;\n#ifdef DARK\nuniform float dark;\n#else\n"
+                                "const float dark = 1.0;\n#endif\n"
+                                "float level()\n{\n    return 0.5 * dark * scale;\n}\n");
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(level(), 128);
+    std::string dark = Programs;
+    dark.replace(dark.find("source edited.frag"), 18,
+                 "source edited.frag\n    preprocessor_defines DARK=1");
+    dark.replace(dark.find("float 1"), 7, "float 1\n        param_named dark float 0.5");
+    folder.write("edited.program", dark);
+    EXPECT_EQ(folder.reload(), std::vector<std::string>());
+    EXPECT_EQ(level(), 64);
+}
+
+TEST_F(Reload, KeepsTheLastGoodShader) {
+    folder.write("edited.glsl", levelOf("0.25 +"));
+    expectAll(folder.reload(), "edited.frag does not compile");
+    EXPECT_EQ(level(), 128);
+    folder.write("edited.glsl", levelOf("0.25"));
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(level(), 64);
+}
+
+TEST_F(Reload, KeepsTheLastGoodMaterial) {
+    for (const std::string& wrong :
+         {materialWith("param_named scal float 0.5"), materialWith("param_named scale flot 0.5"),
+          materialWith("param_named scale float 0.5") + "material Edited/Other\n{\n  colour 1\n}\n",
+          materialWith("param_named scale float 0.5") + "material Edited/Other\n{\n"}) {
+        folder.write("edited.material", wrong);
+        expectAll(folder.reload(), "edited.material(");
+        EXPECT_EQ(level(), 128) << wrong;
+    }
+    folder.write("edited.material", materialWith("param_named scale float 0.25"));
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(level(), 32);
+}
+
+TEST_F(Reload, KeepsTheLastGoodProgram) {
+    std::string wrong = Programs;
+    wrong.replace(wrong.find("float 1"), 7, "float 0.5\n        param_named scala float 1");
+    folder.write("edited.program", wrong);
+    expectAll(folder.reload(), "edited.program(");
+    EXPECT_EQ(level(), 128);
+    folder.write("edited.program", Programs);
+    EXPECT_TRUE(folder.reload().empty());
+    wrong = Programs;
+    wrong.replace(wrong.find("edited.frag"), 11, "other.frag");
+    folder.write("edited.program", wrong);
+    expectAll(folder.reload(), "edited.program");
+    EXPECT_EQ(level(), 128) << "its file is not there";
+    folder.write("edited.program", Programs);
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(level(), 128);
+}
+
+TEST_F(Reload, ShowsAProgramThatWasBrokenFromTheStart) {
+    std::string later = materialWith("");
+    later.replace(later.find("Edited/FP"), 9, "Edited/LaterFP");
+    folder.write("later.frag", "#version 330 core\nout vec4 fragColour;\nvoid main()\n{\n"
+                               "    fragColour = vec4(0.25, 0.0, 0.0, 1.0);\n}\n");
+    folder.write("edited.material", later);
+    EXPECT_EQ(folder.reload(), std::vector<std::string>());
+    EXPECT_EQ(level(), 64);
+}
+
+TEST_F(Reload, MayBeDoneAHundredTimes) {
+    for (int i = 0; i < 100; ++i) {
+        const bool wrong = i % 3 == 2;
+        const bool dark = i % 2 == 0;
+        folder.write("edited.glsl", levelOf(dark ? "0.25" : "0.5") + (wrong ? "}" : ""));
+        folder.write("edited.material",
+                     materialWith(dark ? "param_named scale float 0.5" : "") + (wrong ? "{" : ""));
+        const int before = level();
+        EXPECT_EQ(folder.reload().empty(), !wrong);
+        EXPECT_EQ(level(), wrong ? before : dark ? 32 : 128) << i;
+    }
+}
+
+TEST_F(Reload, LeavesTheApplicationsListenerInPlace) {
+    Ogre::ScriptCompilerListener own;
+    auto& compilers = Ogre::ScriptCompilerManager::getSingleton();
+    compilers.setListener(&own);
+    EXPECT_TRUE(folder.reload().empty());
+    EXPECT_EQ(compilers.getListener(), &own);
+    compilers.setListener(nullptr);
+}
+
+TEST_F(Reload, RefusesAGroupThatThereIsNot) {
+    EXPECT_THROW(Lixel::reload("Nowhere"), Ogre::ItemIdentityException);
+}
+
+/// Lixel's own materials are drawn by scene managers that keep pointers into them.
+TEST(ReloadOfLixels, ChangesNoPicture) {
+    for (const auto technique : {AdditiveTechnique, IntegratedTechnique}) {
+        const bool additive = technique == AdditiveTechnique;
+        MaterialScene scene(technique, additive ? "Lixel/Receiver/Bilinear" : "");
+        scene.wear(additive ? "Lixel/Surface" : "Lixel/Surface/Integrated/Maps3");
+        const std::vector<int> before = scene.draw();
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_EQ(Lixel::reload(Ogre::RGN_DEFAULT), std::vector<std::string>());
+            EXPECT_EQ(differing(before, scene.draw(), 0), 0.0);
+        }
+    }
+}
+
+} // namespace
+} // namespace Lixel::Tests
