@@ -50,7 +50,8 @@ Ogre::Technique* StartedShaderSystem::handleSchemeNotFound(unsigned short,
     // Which may be another by now.
     ShaderGenerator* const current = ShaderGenerator::getSingletonPtr();
     if (current == nullptr || !current->hasRenderState(scheme) ||
-        !current->createShaderBasedTechnique(material->getTechnique(0), scheme))
+        !current->createShaderBasedTechnique(*material, Ogre::MaterialManager::DEFAULT_SCHEME_NAME,
+                                             scheme))
         return nullptr;
     current->validateMaterial(scheme, material->getName(), material->getGroup());
     for (Ogre::Technique* technique : material->getTechniques())

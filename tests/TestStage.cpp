@@ -4,7 +4,7 @@
 
 namespace Lixel::Tests {
 
-LogCollector::LogCollector() {
+LogCollector::LogCollector(std::string only) : mOnly(std::move(only)) {
     Ogre::LogManager::getSingleton().getDefaultLog()->addListener(this);
 }
 
@@ -15,7 +15,7 @@ LogCollector::~LogCollector() {
 
 void LogCollector::messageLogged(const Ogre::String& message, Ogre::LogMessageLevel, bool,
                                  const Ogre::String&, bool&) {
-    if (message.find("Lixel:") != std::string::npos) mMessages.push_back(message);
+    if (message.find(mOnly) != std::string::npos) mMessages.push_back(message);
 }
 
 std::size_t LogCollector::count(const std::string& text) const {

@@ -14,19 +14,21 @@ namespace Lixel::Tests {
 inline constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 inline constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-/// Collects what OGRE logs as warnings and errors.
+/// Collects lines of OGRE's log.
 class LogCollector : public Ogre::LogListener {
 public:
-    LogCollector();
+    /// @param only what the lines contain
+    explicit LogCollector(std::string only = "Lixel:");
     ~LogCollector() override;
     void messageLogged(const Ogre::String& message, Ogre::LogMessageLevel level, bool maskDebug,
                        const Ogre::String& logName, bool& skipThisMessage) override;
-    /// How many messages of Lixel's contained the text.
+    /// How many lines contained the text.
     std::size_t count(const std::string& text) const;
-    /// All messages of Lixel's, a line each.
+    /// All of them.
     std::string all() const;
 
 private:
+    std::string mOnly;
     std::vector<std::string> mMessages;
 };
 

@@ -11,7 +11,7 @@ namespace Lixel {
 
 /** How many shadow maps programs have to read.
 
-    Programs are made for one layout. One that has more is right too, but slower.
+    Programs are made for one layout. A program made for more maps also works, but is slower.
 */
 struct MapLayout {
     /// Of each light of a kind, by Ogre::Light::LightTypes.

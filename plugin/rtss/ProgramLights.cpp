@@ -15,9 +15,21 @@ namespace Lixel {
 using namespace Ogre::RTShader;
 using Ogre::GpuProgramParameters;
 
+std::string whyWithoutLights(const RenderState& state) {
+    const bool isMetalRoughness =
+        std::ranges::any_of(state.getSubRenderStates(), [](const SubRenderState* part) {
+            return part->getType() == "CookTorranceLighting"; // in no public header of OGRE's
+        });
+    if (isMetalRoughness)
+        return "is lit by `lighting_stage metal_roughness`, which shadows no light of its own "
+               "before OGRE 14.1: take that, or another lighting_stage";
+    return "is lit per vertex: say `lighting_stage per_pixel` in its rtshader_system, in place of "
+           "`ffp`";
+}
+
 #if OGRE_VERSION_MAJOR >= 14
 
-std::size_t ProgramLight::placeIn(const GpuProgramParameters&) const {
+std::size_t ProgramLight::lightListIndex(const GpuProgramParameters&) const {
     return index;
 }
 
@@ -85,7 +97,7 @@ void substitute(Function& main, const ParameterPtr& old, const ParameterPtr& rep
 
 } // namespace
 
-std::size_t ProgramLight::placeIn(const GpuProgramParameters& pixelParameters) const {
+std::size_t ProgramLight::lightListIndex(const GpuProgramParameters& pixelParameters) const {
     // OGRE's own part of the program has just set it, for this object.
     const auto* const bound = pixelParameters.findAutoConstantEntry(colourName);
     return bound != nullptr ? bound->data : index;

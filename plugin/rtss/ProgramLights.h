@@ -21,9 +21,14 @@ class Pass;
     All that differs between OGRE's versions is in this file and its source:
     before 14 a program has uniforms for each light, sorted by its kind, and which of an object's
     lights they are is found for each object. Since 14 it has arrays in the order of the object's
-    lights, and multiplies each light by an element of the local variable lShadowFactor.
+    lights, and since 14.1 it multiplies each light by an element of the local variable
+    lShadowFactor. In 14.0 that is one number, which dims the first light alone.
 */
 namespace Lixel {
+
+#if OGRE_VERSION_MAJOR == 14 && !OGRE_MIN_VERSION(14, 1, 0)
+#error "libLixelRTSS needs OGRE 14.1 or newer, or 1.12 or 13: set LIXEL_BUILD_RTSS to OFF"
+#endif
 
 #if OGRE_VERSION_MAJOR >= 14
 /// Where among the parts of a program the lights are dimmed: before they are summed up.
@@ -44,17 +49,20 @@ struct ProgramLight {
     std::vector<Ogre::RTShader::UniformParameterPtr> colours;
     std::string colourName;
 
-    /// Where it is in the list of lights of the object that is about to be drawn; beyond its end
-    /// where the object has no such light.
-    std::size_t placeIn(const Ogre::GpuProgramParameters& pixelParameters) const;
+    /// Its index in the list of lights of the object that is about to be drawn; beyond the list's
+    /// end where the object has no such light.
+    std::size_t lightListIndex(const Ogre::GpuProgramParameters& pixelParameters) const;
 };
 
 /// How many lights a render state's programs are made for.
 std::size_t lightCountOf(const Ogre::RTShader::RenderState& state);
 
-/// The lights that a pixel program sums up; none where they are summed up per vertex.
+/// The lights that a pixel program sums up and that can be dimmed one by one.
 std::vector<ProgramLight> lightsIn(Ogre::RTShader::Program& pixelProgram,
                                    const Ogre::RTShader::RenderState& state);
+
+/// Why lightsIn finds none, as the end of "a material that ...", with what to do.
+std::string whyWithoutLights(const Ogre::RTShader::RenderState& state);
 
 /// Has a pixel program multiply each light by a visibility, which is known at the beginning of it.
 void dimLights(Ogre::RTShader::Program& pixelProgram, const std::vector<ProgramLight>& lights,

@@ -7,6 +7,7 @@
 #include <Lixel/scene/Log.h>
 
 #include <OgreException.h>
+#include <OgreMaterial.h>
 #include <OgreRoot.h>
 #include <RTShaderSystem/OgreShaderGenerator.h>
 
@@ -34,6 +35,7 @@ void Registry::install(ShaderGenerator& generator) {
         mMadeFor.clear();
     }
     Ogre::Root::getSingleton().addFrameListener(this); // once, however often it is called
+    addReloadListener(*this);
     watchAll(mScenes);
 }
 
@@ -44,6 +46,7 @@ void Registry::shutdown() {
         takeOffAllStates(*generator, ShadowState::Type);
         generator->removeSubRenderStateFactory(mFactory);
     }
+    removeReloadListener(*this);
     mScenes.clear();
     if (Ogre::Root* const root = Ogre::Root::getSingletonPtr()) root->removeFrameListener(this);
     mMadeFor.clear();
@@ -77,9 +80,14 @@ void Registry::makeProgramsAnew() {
     });
 }
 
-void Registry::watchAll(AllSceneTextures& scenes) {
+void Registry::materialChanges(Ogre::Material& material) {
+    if (ShaderGenerator* const generator = ShaderGenerator::getSingletonPtr())
+        generator->removeAllShaderBasedTechniques(material.getName(), material.getGroup());
+}
+
+void Registry::watchAll(AllLightUnits& scenes) {
     for (const auto& [name, manager] : Ogre::Root::getSingleton().getSceneManagers())
-        scenes.of(*manager);
+        scenes.watch(*manager);
 }
 
 } // namespace Lixel

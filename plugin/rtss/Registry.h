@@ -1,6 +1,8 @@
 #pragma once
 
-#include "rtss/SceneTextures.h"
+#include "rtss/LightUnits.h"
+
+#include <Lixel/reload/Reload.h>
 
 #include <OgreFrameListener.h>
 
@@ -21,29 +23,31 @@ class ShadowFactory;
     There is one, and it is never destroyed: OGRE may destroy programs after everything else of this
     library's is gone.
 */
-class Registry : public Ogre::FrameListener {
+class Registry : public Ogre::FrameListener, private ReloadListener {
 public:
     static Registry& get();
 
     void install(Ogre::RTShader::ShaderGenerator& generator);
     void shutdown();
 
-    AllSceneTextures& scenes() { return mScenes; }
-    /// A program of a scheme is made for scenes().layout(), or is not because of it.
+    AllLightUnits& scenes() { return mScenes; }
+    /// Records the layout of a scheme's first program, even if no shadow code was added.
     void noteProgram(const Ogre::String& scheme);
     /// Writes a line to the log, unless it was written before.
     void sayOnce(const std::string& message);
 
-    /// Scene managers that are new, before they draw with programs that there are already.
+    /// Registers new scene managers before they draw with existing programs.
     bool frameStarted(const Ogre::FrameEvent& event) override;
 
 private:
     Registry();
     void makeProgramsAnew();
-    static void watchAll(AllSceneTextures& scenes);
+    static void watchAll(AllLightUnits& scenes);
+    /// The shader system keeps pointers to the techniques that it has made others of.
+    void materialChanges(Ogre::Material& material) override;
 
     ShadowFactory* mFactory = nullptr;
-    AllSceneTextures mScenes;
+    AllLightUnits mScenes;
     /// The layout for which the first of a scheme's programs was made.
     std::map<Ogre::String, MapLayout> mMadeFor;
     std::set<std::string> mSaid;

@@ -20,8 +20,8 @@ using Ogre::RTShader::ShaderGenerator;
 namespace {
 
 /// The name of a scheme that there is. @throws where there is none of the name
-Ogre::String find(const ShaderGenerator& generator, const Ogre::String& scheme,
-                  const char* function) {
+Ogre::String existingScheme(const ShaderGenerator& generator, const Ogre::String& scheme,
+                            const char* function) {
     const Ogre::String& name = scheme.empty() ? ShaderGenerator::DEFAULT_SCHEME_NAME : scheme;
     if (generator.hasRenderState(name)) return name;
     OGRE_EXCEPT(Ogre::Exception::ERR_ITEM_NOT_FOUND,
@@ -38,7 +38,7 @@ void install(ShaderGenerator& generator) {
 }
 
 void enable(ShaderGenerator& generator, const Ogre::String& scheme, const Options& options) {
-    const Ogre::String name = find(generator, scheme, "ShaderSystem::enable");
+    const Ogre::String name = existingScheme(generator, scheme, "ShaderSystem::enable");
     if (options.maps > MaxMaps)
         OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
                     "options.maps: " + std::to_string(options.maps) +
@@ -54,7 +54,7 @@ void enable(ShaderGenerator& generator, const Ogre::String& scheme, const Option
 }
 
 void disable(ShaderGenerator& generator, const Ogre::String& scheme) {
-    const Ogre::String name = find(generator, scheme, "ShaderSystem::disable");
+    const Ogre::String name = existingScheme(generator, scheme, "ShaderSystem::disable");
     if (takeOff(*generator.getRenderState(name), ShadowState::Type))
         generator.invalidateScheme(name);
 }

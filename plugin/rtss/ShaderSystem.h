@@ -16,8 +16,8 @@ class ShaderGenerator;
 
 /** Materials without programs, shadowed by Lixel's maps.
 
-    OGRE's shader system makes programs for such materials. With this, each light that it lights a
-    pixel by is shadowed by that light's own maps: of suns, spots and point lights, one to six each.
+    OGRE's shader system makes programs for such materials. With this, each light in per-pixel
+    lighting is shadowed by that light's own maps: of suns, spots and point lights, one to six each.
     Normal maps, specular light, fog, textures, hardware skinning and instances are the shader
     system's. One line shadows all that is drawn in a scheme:
 
@@ -39,11 +39,13 @@ class ShaderGenerator;
     programs are made anew when that changes.
 
     Left as they are: passes with `lighting off`, materials with `receive_shadows off`, lights
-    without maps, and passes that are lit per vertex or that OGRE draws once for each light. The log
-    has one line for each material that cannot be shadowed, with the reason.
+    without maps, and passes that are lit per vertex, by `metal_roughness` before OGRE 14.1, that
+    OGRE draws once for each light, or that have units of content_type shadow already. The log has
+    one line for each material that cannot be shadowed, with the reason.
 
-    What vertex programs of the shader system bend by bones (not by dual quaternions) or place as
-    instances casts the shadow of that, by a caster of its own, unless its technique names one.
+    Skinned and instanced objects get a matching caster, unless their technique sets one. Dual
+    quaternions do not. The caster culls as the material does, and cuts the holes of the material's
+    first texture where the material is alpha-tested or blended.
 
     Order: ShaderGenerator::initialize, then install or enable, then scripts are parsed. At the end
     ShaderGenerator::destroy before Root goes, as OGRE itself wants it, with shutdown before or

@@ -54,9 +54,9 @@ void ShadowFactory::writeInstance(Ogre::MaterialSerializer* serializer,
     constexpr unsigned short Level = 4; // of indentation, inside of rtshader_system
     const std::size_t maps = static_cast<const ShadowState*>(state)->options().maps;
     serializer->writeAttribute(Level, Keyword);
-    if (maps == 0) return;
+    // Never without a value: OGRE drops such a line when it reads it.
     serializer->writeValue("maps");
-    serializer->writeValue(std::to_string(maps));
+    serializer->writeValue(maps == 0 ? "auto" : std::to_string(maps));
 }
 
 Ogre::RTShader::SubRenderState* ShadowFactory::createInstanceImpl() {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rtss/MapLayout.h"
-#include "rtss/ProgramLights.h"
+#include "rtss/ReceiverCode.h"
 #include "rtss/ShaderSystem.h"
 
 #include <RTShaderSystem/OgreShaderSubRenderState.h>
@@ -42,28 +42,10 @@ public:
     void setOptions(const ShaderSystem::Options& options) { mOptions = options; }
 
 private:
-    /// What a program has for one light.
-    struct Slot {
-        ProgramLight light;
-        /// Uniforms bound to the light's custom parameters.
-        struct Custom {
-            Ogre::RTShader::UniformParameterPtr uniform;
-            std::size_t parameter;
-        };
-        std::vector<Custom> customs;
-        Ogre::RTShader::UniformParameterPtr firstUnit;
-        /// The light's place in the list for which customs are bound.
-        std::size_t place;
-    };
-    struct Generation;
-
     bool canReceive(const Ogre::RTShader::RenderState& renderState, const Ogre::Pass& source);
-    void giveCaster(Ogre::RTShader::Program& vertexProgram);
     std::size_t mapsOf(const ProgramLight& light) const;
     std::size_t addUnits();
-    void addReceiver(Generation& generation);
-    Ogre::RTShader::ParameterPtr addVisibility(Generation& generation, Slot& slot);
-    std::string materialName() const;
+    std::string quotedMaterialName() const;
 
     Registry& mRegistry;
     ShaderSystem::Options mOptions;
@@ -72,10 +54,10 @@ private:
     Ogre::Pass* mPass = nullptr;
     MapLayout mLayout;
     bool mReceives = false;
-    /// Why the material is not shadowed as it should be: said once it is drawn, since programs are
-    /// made for materials that never are.
-    std::string mUnsaid;
-    std::vector<Slot> mSlots;
+    /// Why the material is not shadowed as it should be: logged once the material is drawn, since
+    /// programs are made for materials that never are.
+    std::vector<std::string> mPendingWarnings;
+    std::vector<LightUniforms> mLights;
 };
 
 } // namespace Lixel

@@ -1,5 +1,6 @@
 // Beginning and end, twice and in each order, and wrong use.
 
+#include "EditedFolder.h"
 #include "ShaderSystemScene.h"
 
 #include <OgrePlugin.h>
@@ -40,6 +41,23 @@ protected:
 
     ShaderGenerator& generator() { return scene->shaderSystem.generator; }
 
+    /// Ends the generator, and makes another one, for which shadows are enabled again.
+    /// @param between called while there is none
+    /// @param check called with the other one, which ends after it
+    void restart(const std::function<void()>& between,
+                 const std::function<void(ShaderGenerator&)>& check) {
+        generator().removeAllShaderBasedTechniques();
+        ShaderGenerator::destroy();
+        between();
+        ASSERT_TRUE(ShaderGenerator::initialize());
+        ShaderGenerator& again = ShaderGenerator::getSingleton();
+        again.addSceneManager(&scene->manager());
+        Lixel::ShaderSystem::enable(again);
+        check(again);
+        again.removeAllShaderBasedTechniques();
+        ShaderGenerator::destroy();
+    }
+
     std::optional<ShaderSystemScene> scene{std::in_place};
     Picture lit, shadowed;
 };
@@ -54,6 +72,29 @@ TEST_F(ShaderSystemLifecycle, EnablingTwiceSetsTheOptions) {
     EXPECT_EQ(scene->draw(), shadowed);
     EXPECT_EQ(generator().getRenderState(StartedShaderSystem::Scheme)->getSubRenderStates().size(),
               1U);
+}
+
+/// The shader system has made techniques of those that a reload replaces.
+TEST_F(ShaderSystemLifecycle, MaterialsMayBeReloaded) {
+    const EditedFolder folder;
+    const auto write = [&](const std::string& diffuse) {
+        folder.write("edited.material", "material Edited/Plain\n{\n    technique\n    {\n"
+                                        "        pass\n        {\n            diffuse " +
+                                            diffuse + "\n        }\n    }\n}\n");
+    };
+    write("1 1 1");
+    folder.parse();
+    scene->wear("Edited/Plain");
+    const Picture white = scene->draw();
+    ASSERT_TRUE(isOther(white, lit));
+    for (int i = 0; i < 3; ++i) {
+        write("0.5 0.5 0.5");
+        EXPECT_EQ(EditedFolder::reload(), std::vector<std::string>());
+        EXPECT_TRUE(isOther(scene->draw(), white));
+        write("1 1 1");
+        EXPECT_EQ(EditedFolder::reload(), std::vector<std::string>());
+        EXPECT_EQ(scene->draw(), white);
+    }
 }
 
 TEST_F(ShaderSystemLifecycle, DisablingLeavesNothing) {
@@ -126,9 +167,16 @@ TEST_F(ShaderSystemLifecycle, MissingProgramsAreNamedInTheLog) {
 }
 
 TEST_F(ShaderSystemLifecycle, ShuttingDownFirstLeavesProgramsWithoutShadows) {
-    ShaderSystemScene::parse(
-        "material Test/Own { technique { pass { rtshader_system { lixel_shadows maps auto } } } } "
-        "material Test/Unseen { technique { pass { rtshader_system { lixel_shadows maps 2 } } } }");
+    ShaderSystemScene::addMaterial("Test/Own", R"(
+        rtshader_system
+        {
+            lixel_shadows maps auto
+        })");
+    ShaderSystemScene::addMaterial("Test/Unseen", R"(
+        rtshader_system
+        {
+            lixel_shadows maps 2
+        })");
     scene->wear("Test/Own");
     EXPECT_EQ(scene->draw(), shadowed);
     Lixel::ShaderSystem::shutdown();
@@ -143,29 +191,18 @@ TEST_F(ShaderSystemLifecycle, ShuttingDownFirstLeavesProgramsWithoutShadows) {
 TEST_F(ShaderSystemLifecycle, TheGeneratorMayGoFirstAndComeAgain) {
     scene->stage.viewport().setMaterialScheme("");
     Ogre::MaterialManager::getSingleton().removeListener(&scene->shaderSystem);
-    generator().removeAllShaderBasedTechniques();
-    ShaderGenerator::destroy();
-    Lixel::ShaderSystem::shutdown();
-    Lixel::ShaderSystem::shutdown();
-    ASSERT_TRUE(ShaderGenerator::initialize());
-    ShaderGenerator& again = ShaderGenerator::getSingleton();
-    again.addSceneManager(&scene->manager());
-    Lixel::ShaderSystem::enable(again);
-    EXPECT_NE(again.getSubRenderStateFactory("Lixel_Shadows"), nullptr);
-    again.removeAllShaderBasedTechniques();
-    ShaderGenerator::destroy();
+    restart(
+        [] {
+            Lixel::ShaderSystem::shutdown();
+            Lixel::ShaderSystem::shutdown();
+        },
+        [](ShaderGenerator& again) {
+            EXPECT_NE(again.getSubRenderStateFactory("Lixel_Shadows"), nullptr);
+        });
 }
 
 TEST_F(ShaderSystemLifecycle, TheGeneratorMayBeMadeAnewWithoutShutdown) {
-    generator().removeAllShaderBasedTechniques();
-    ShaderGenerator::destroy();
-    ASSERT_TRUE(ShaderGenerator::initialize());
-    ShaderGenerator& again = ShaderGenerator::getSingleton();
-    again.addSceneManager(&scene->manager());
-    Lixel::ShaderSystem::enable(again);
-    EXPECT_EQ(scene->draw(), shadowed);
-    again.removeAllShaderBasedTechniques();
-    ShaderGenerator::destroy();
+    restart([] {}, [this](ShaderGenerator&) { EXPECT_EQ(scene->draw(), shadowed); });
 }
 
 TEST_F(ShaderSystemLifecycle, ThePluginMayGoFirst) {

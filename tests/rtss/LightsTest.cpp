@@ -68,7 +68,6 @@ TEST(ShaderSystemShadows, AreThoseOfSeveralLightsOfAKind) {
     node->attachObject(&second);
     node->setDirection(Ogre::Vector3(1, -1, 0.3F), Ogre::Node::TS_WORLD);
     scene.setMaps(2, 0, 0);
-    scene.manager().setShadowTextureCount(4);
     scene.manager().setShadowTextureSettings(512, 4, Ogre::PF_FLOAT32_R);
     Lixel::ShaderSystem::enable(scene.shaderSystem.generator);
     const Picture both = scene.draw();

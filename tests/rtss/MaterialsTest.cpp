@@ -54,18 +54,17 @@ protected:
     Picture plainShadowed, plainLit;
 };
 
-TEST_F(ShaderSystemMaterials, KeepVertexColoursAndTextures) {
-    // A gradient, without a file.
-    Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
-        "Test/Texture", Ogre::RGN_DEFAULT, Ogre::TEX_TYPE_2D, 16, 16, 0, Ogre::PF_BYTE_RGBA);
-    std::vector<Ogre::uint8> texels(16 * 16 * 4);
-    for (std::size_t i = 0; i < texels.size(); ++i)
-        texels[i] = i % 4 == 3 ? 255 : static_cast<Ogre::uint8>(80 + i % 160);
-    texture->getBuffer()->blitFromMemory(
-        Ogre::PixelBox(16, 16, 1, Ogre::PF_BYTE_RGBA, texels.data()));
-    ShaderSystemScene::parse(
-        "material Test/Coloured { technique { pass { diffuse 1 0.4 0.2; texture_unit { texture "
-        "Test/Texture } } } }");
+TEST_F(ShaderSystemMaterials, KeepDiffuseColoursAndTextures) {
+    std::vector<std::uint8_t> gradient(16 * 16 * 4);
+    for (std::size_t i = 0; i < gradient.size(); ++i)
+        gradient[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(80 + i % 160);
+    ShaderSystemScene::addTexture("Test/Texture", gradient);
+    ShaderSystemScene::addMaterial("Test/Coloured", R"(
+        diffuse 1 0.4 0.2
+        texture_unit
+        {
+            texture Test/Texture
+        })");
     scene.wear("Test/Coloured");
     expectShadows("coloured");
 }
@@ -80,16 +79,19 @@ TEST_F(ShaderSystemMaterials, KeepNormalMaps) {
     texture->getBuffer()->blitFromMemory(Ogre::PixelBox(8, 8, 1, Ogre::PF_BYTE_RGB, texels.data()));
     for (const auto& [name, object] : scene.manager().getMovableObjects("Entity"))
         static_cast<Ogre::Entity*>(object)->getMesh()->buildTangentVectors();
-    ShaderSystemScene::parse(
-        "material Test/Bumpy { technique { pass { rtshader_system { lighting_stage normal_map "
-        "Test/Normals tangent_space } } } }");
+    ShaderSystemScene::addMaterial("Test/Bumpy", R"(
+        rtshader_system
+        {
+            lighting_stage normal_map Test/Normals tangent_space
+        })");
     scene.wear("Test/Bumpy");
     expectShadows("normal-map");
 }
 
 TEST_F(ShaderSystemMaterials, KeepSpecularLightOutOfShadows) {
-    ShaderSystemScene::parse(
-        "material Test/Shiny { technique { pass { diffuse 0.3 0.3 0.3; specular 1 1 1 5 } } }");
+    ShaderSystemScene::addMaterial("Test/Shiny", R"(
+        diffuse 0.3 0.3 0.3
+        specular 1 1 1 5)");
     sun.getParentSceneNode()->setDirection(Ogre::Vector3(-0.2F, -1, 1), Ogre::Node::TS_WORLD);
     plainShadowed = scene.draw();
     plainLit = drawLit();
@@ -98,8 +100,7 @@ TEST_F(ShaderSystemMaterials, KeepSpecularLightOutOfShadows) {
 }
 
 TEST_F(ShaderSystemMaterials, KeepColoursOfVertices) {
-    ShaderSystemScene::parse(
-        "material Test/Tracking { technique { pass { diffuse vertexcolour } } }");
+    ShaderSystemScene::addMaterial("Test/Tracking", "diffuse vertexcolour");
     Ogre::ManualObject& wall = *scene.manager().createManualObject("wall");
     wall.begin(ShaderSystemScene::Plain, Ogre::RenderOperation::OT_TRIANGLE_LIST);
     for (const Ogre::Vector3& corner :
@@ -125,9 +126,28 @@ TEST_F(ShaderSystemMaterials, KeepFog) {
 }
 
 TEST_F(ShaderSystemMaterials, ThatReceiveNoShadowsOrAreUnlitAreLeftAlone) {
-    ShaderSystemScene::parse(
-        "material Test/Off { receive_shadows off; technique { pass { diffuse 0.5 0.9 0.5 } } } "
-        "material Test/Unlit { technique { pass { lighting off } } }");
+    ShaderSystemScene::parse(R"(
+        material Test/Off
+        {
+            receive_shadows off
+            technique
+            {
+                pass
+                {
+                    diffuse 0.5 0.9 0.5
+                }
+            }
+        }
+        material Test/Unlit
+        {
+            technique
+            {
+                pass
+                {
+                    lighting off
+                }
+            }
+        })");
     // A slab in the box's shadow receives, so that there are maps.
     scene.addCube(Ogre::Vector3(-2, 0.01F, 1), Ogre::Vector3(1.5F, 0.02F, 0.8F));
     scene.wear(ShaderSystemScene::Plain);
@@ -149,9 +169,11 @@ TEST_F(ShaderSystemMaterials, ThatReceiveNoShadowsOrAreUnlitAreLeftAlone) {
 /// Light that is summed up per vertex has no shadows that a pixel could see.
 TEST_F(ShaderSystemMaterials, LitPerVertexAreNamedInTheLog) {
     LogCollector log;
-    ShaderSystemScene::parse(
-        "material Test/PerVertex { technique { pass { rtshader_system { lighting_stage ffp } } } "
-        "}");
+    ShaderSystemScene::addMaterial("Test/PerVertex", R"(
+        rtshader_system
+        {
+            lighting_stage ffp
+        })");
     scene.wear("Test/PerVertex");
     const Picture drawn = scene.draw();
     scene.draw();
@@ -164,8 +186,7 @@ TEST_F(ShaderSystemMaterials, LitPerVertexAreNamedInTheLog) {
 
 TEST_F(ShaderSystemMaterials, DrawnOnceForEachLightAreNamedInTheLog) {
     LogCollector log;
-    ShaderSystemScene::parse(
-        "material Test/Iterating { technique { pass { iteration once_per_light directional } } }");
+    ShaderSystemScene::addMaterial("Test/Iterating", "iteration once_per_light directional");
     scene.wear("Test/Iterating");
     const Picture drawn = scene.draw();
     EXPECT_TRUE(isSame(drawn, drawLit()));
@@ -176,21 +197,57 @@ TEST_F(ShaderSystemMaterials, DrawnOnceForEachLightAreNamedInTheLog) {
 
 TEST_F(ShaderSystemMaterials, WithoutRoomForAllMapsAreNamedInTheLog) {
     LogCollector log;
-    std::string script = "material Test/Full { technique { pass {";
+    ShaderSystemScene::addTexture("Test/OneTexel", {255, 255, 255, 255});
+    const auto full = Ogre::MaterialManager::getSingleton().create("Test/Full", Ogre::RGN_DEFAULT);
     for (int unit = 0; unit < 14; ++unit)
-        script += " texture_unit { texture Test/OneTexel }";
-    Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
-        "Test/OneTexel", Ogre::RGN_DEFAULT, Ogre::TEX_TYPE_2D, 1, 1, 0, Ogre::PF_BYTE_RGBA);
-    Ogre::uint32 white = 0xFFFFFFFF;
-    texture->getBuffer()->blitFromMemory(Ogre::PixelBox(1, 1, 1, Ogre::PF_BYTE_RGBA, &white));
-    ShaderSystemScene::parse(script + " } } }");
+        full->getTechnique(0)->getPass(0)->createTextureUnitState("Test/OneTexel");
     scene.wear("Test/Full");
     scene.draw();
     scene.keepPicture("no-room");
     EXPECT_EQ(log.count("material 'Test/Full' has 14 textures, which leaves units for 2 of 3 "
-                        "shadow maps"),
+                        "shadow maps: shadows in the remaining maps are missing"),
               1U)
         << log.all();
+}
+
+/// OGRE deals the maps out to units of that kind one after the other: Lixel's would have others.
+TEST_F(ShaderSystemMaterials, WithShadowUnitsOfTheirOwnAreNamedInTheLog) {
+    ShaderSystemScene::addMaterial("Test/OwnUnit", R"(
+        texture_unit
+        {
+            content_type shadow
+        })");
+    LogCollector log;
+    scene.wear("Test/OwnUnit");
+    scene.draw();
+    scene.draw();
+    EXPECT_EQ(log.count("Lixel casts no shadows on material 'Test/OwnUnit', which has texture "
+                        "units of content_type shadow already"),
+              1U)
+        << log.all();
+}
+
+/// Its lights are arrays in OGRE 13, of which a program can dim none, and can since 14.
+TEST_F(ShaderSystemMaterials, OfMetalAndRoughnessAreShadowedOrNamedInTheLog) {
+    if (generator().getSubRenderStateFactory("CookTorranceLighting") == nullptr)
+        GTEST_SKIP() << "there is no metal_roughness in this OGRE";
+    ShaderSystemScene::addMaterial("Test/Metal", R"(
+        specular 0.5 0.2 0 0
+        rtshader_system
+        {
+            lighting_stage metal_roughness
+        })");
+    LogCollector log;
+    scene.wear("Test/Metal");
+    const Picture drawn = scene.draw();
+    const bool isDimmed = OGRE_VERSION_MAJOR >= 14;
+    EXPECT_EQ(log.count("material 'Test/Metal', which is lit by `lighting_stage metal_roughness`"),
+              isDimmed ? 0U : 1U)
+        << log.all();
+    if (isDimmed)
+        EXPECT_TRUE(isOther(drawn, drawLit())) << "nothing is in shadow";
+    else
+        EXPECT_TRUE(isSame(drawn, drawLit()));
 }
 
 } // namespace

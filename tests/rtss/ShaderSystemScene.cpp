@@ -2,6 +2,7 @@
 
 #include <Lixel/setup/ShadowCameraSetups.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <ostream>
 
@@ -128,14 +129,22 @@ Picture ShaderSystemScene::drawLixels() {
     return picture;
 }
 
-void ShaderSystemScene::parse(const std::string& script) {
-    std::string lines;
-    for (const char c : script)
-        lines += c == ';'               ? "\n"
-                 : c == '{' || c == '}' ? std::string("\n") + c + "\n"
-                                        : std::string(1, c);
-    Ogre::DataStreamPtr stream(new Ogre::MemoryDataStream(lines.data(), lines.size()));
+void ShaderSystemScene::parse(std::string script) {
+    Ogre::DataStreamPtr stream(new Ogre::MemoryDataStream(script.data(), script.size()));
     Ogre::MaterialManager::getSingleton().parseScript(stream, Ogre::RGN_DEFAULT);
+}
+
+void ShaderSystemScene::addMaterial(const std::string& name, const std::string& pass) {
+    parse("material " + name + "\n{\ntechnique\n{\npass\n{\n" + pass + "\n}\n}\n}\n");
+}
+
+void ShaderSystemScene::addTexture(const std::string& name, std::vector<std::uint8_t> texels) {
+    const auto side =
+        static_cast<Ogre::uint32>(std::lround(std::sqrt(static_cast<double>(texels.size()) / 4)));
+    Ogre::TexturePtr texture = Ogre::TextureManager::getSingleton().createManual(
+        name, Ogre::RGN_DEFAULT, Ogre::TEX_TYPE_2D, side, side, 0, Ogre::PF_BYTE_RGBA);
+    texture->getBuffer()->blitFromMemory(
+        Ogre::PixelBox(side, side, 1, Ogre::PF_BYTE_RGBA, texels.data()));
 }
 
 void ShaderSystemScene::keepPicture(const std::string& name) {

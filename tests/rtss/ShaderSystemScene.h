@@ -58,8 +58,13 @@ public:
     Picture drawAsItIs();
     /// Where a picture shows a world point: the index of its red.
     std::size_t redOf(const Ogre::Vector3& ws) { return 3 * pixelOf(ws); }
-    /// Adds materials. Each brace and each `;` of the script stands for a line.
-    static void parse(const std::string& script);
+    /// Adds materials.
+    static void parse(std::string script);
+    /// Adds a material of one pass, which has these lines in a script.
+    static void addMaterial(const std::string& name, const std::string& pass);
+    /// Adds a square texture, without a file.
+    /// @param texels red, green, blue and alpha of each, row by row
+    static void addTexture(const std::string& name, std::vector<std::uint8_t> texels);
     /// Writes the last frame where the environment's LIXEL_PICTURES names a folder.
     void keepPicture(const std::string& name);
 

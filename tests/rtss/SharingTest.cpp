@@ -93,8 +93,22 @@ TEST_F(ShaderSystemSharing, ObjectsWithOtherLightsOfAKindShareAMaterial) {
 /// OGRE begins with the start light's textures in such a pass.
 TEST_F(ShaderSystemSharing, PassesDivideTheLights) {
     const Picture all = scene.draw();
-    ShaderSystemScene::parse("material Test/TwoPasses { technique { pass { max_lights 1 } pass { "
-                             "start_light 1; scene_blend add } } }");
+    ShaderSystemScene::parse(R"(
+        material Test/TwoPasses
+        {
+            technique
+            {
+                pass
+                {
+                    max_lights 1
+                }
+                pass
+                {
+                    start_light 1
+                    scene_blend add
+                }
+            }
+        })");
     scene.wear("Test/TwoPasses");
     const Picture divided = scene.draw();
     scene.keepPicture("two-passes");

@@ -2,6 +2,7 @@
 // Shadow receiver, shared by the additive, integrated and modulative fragment programs, and by
 // those that read no shadow map.
 #include "LixelVaryings.glsl"
+#include "LixelCoordinate.glsl"
 
 in vec4 vertex;
 in vec3 normal;
@@ -28,7 +29,6 @@ void main()
 #ifdef LIXEL_NO_MAP
     mapCoordinate = vec4(0.0, 0.0, -1.0, 0.0);
 #else
-    mapCoordinate = vec4(dot(lixelRowU, ws), dot(lixelRowV, ws), dot(lixelRowW, ws),
-                         dot(lixelRowDepth, ws));
+    mapCoordinate = lixelCoordinate(lixelRowU, lixelRowV, lixelRowW, lixelRowDepth, ws);
 #endif
 }

@@ -8,9 +8,10 @@
 //
 // Define LIXEL_MAPS as 2, 3, 4 or 6 for lights with as many maps: then lixelVisibilityAt takes a world
 // position, and finds the map that serves it. Undefined, a light has one map, and lixelVisibility
-// takes its coordinate.
+// takes its coordinate. 0 is for programs with uniforms of their own, which call lixelVisibilityIn.
 //
 // A map's size and bias are (width, height, depth bias, depth per world unit).
+#include "LixelCoordinate.glsl"
 
 // Steps of the grid that rasterizers move a vertex to, for one texel: GPUs and Mesa have 256.
 #define LIXEL_SUBTEXELS 256.0
@@ -78,37 +79,66 @@ float lixelVisibility(vec4 coordinate)
 }
 
 #else
+#if LIXEL_MAPS > 1
+
+// GLSL 3.30 has no arrays of samplers with an index that varies, so each map has names of its own.
+// Each map's names are in two lines: one compares its function with the others', one reads it.
+#define LIXEL_COMPARE(map, rowShare) \
+    share = dot(rowShare, ws); \
+    if (share > greatest) { serving = map; greatest = share; }
+#define LIXEL_READ(map, texels, sizeBias, u, v, w, depth) \
+    if (serving == map) \
+        return lixelVisibilityIn(texels, sizeBias, lixelCoordinate(u, v, w, depth, ws), \
+                                 lixelCoordinate(u, v, w, depth, dx), \
+                                 lixelCoordinate(u, v, w, depth, dy));
 
 uniform sampler2D shadowMap0;
 uniform vec4 lixelRowU0, lixelRowV0, lixelRowW0, lixelRowDepth0, lixelSizeBias0, lixelRowShare0;
-#if LIXEL_MAPS > 1
 uniform sampler2D shadowMap1;
 uniform vec4 lixelRowU1, lixelRowV1, lixelRowW1, lixelRowDepth1, lixelSizeBias1, lixelRowShare1;
-#endif
+#define LIXEL_COMPARE_1 LIXEL_COMPARE(1, lixelRowShare1)
+#define LIXEL_READ_1 LIXEL_READ(1, shadowMap1, lixelSizeBias1, lixelRowU1, lixelRowV1, \
+                                lixelRowW1, lixelRowDepth1)
 #if LIXEL_MAPS > 2
 uniform sampler2D shadowMap2;
 uniform vec4 lixelRowU2, lixelRowV2, lixelRowW2, lixelRowDepth2, lixelSizeBias2, lixelRowShare2;
+#define LIXEL_COMPARE_2 LIXEL_COMPARE(2, lixelRowShare2)
+#define LIXEL_READ_2 LIXEL_READ(2, shadowMap2, lixelSizeBias2, lixelRowU2, lixelRowV2, \
+                                lixelRowW2, lixelRowDepth2)
+#else
+#define LIXEL_COMPARE_2
+#define LIXEL_READ_2
 #endif
 #if LIXEL_MAPS > 3
 uniform sampler2D shadowMap3;
 uniform vec4 lixelRowU3, lixelRowV3, lixelRowW3, lixelRowDepth3, lixelSizeBias3, lixelRowShare3;
+#define LIXEL_COMPARE_3 LIXEL_COMPARE(3, lixelRowShare3)
+#define LIXEL_READ_3 LIXEL_READ(3, shadowMap3, lixelSizeBias3, lixelRowU3, lixelRowV3, \
+                                lixelRowW3, lixelRowDepth3)
+#else
+#define LIXEL_COMPARE_3
+#define LIXEL_READ_3
 #endif
 #if LIXEL_MAPS > 4
 uniform sampler2D shadowMap4;
 uniform vec4 lixelRowU4, lixelRowV4, lixelRowW4, lixelRowDepth4, lixelSizeBias4, lixelRowShare4;
+#define LIXEL_COMPARE_4 LIXEL_COMPARE(4, lixelRowShare4)
+#define LIXEL_READ_4 LIXEL_READ(4, shadowMap4, lixelSizeBias4, lixelRowU4, lixelRowV4, \
+                                lixelRowW4, lixelRowDepth4)
+#else
+#define LIXEL_COMPARE_4
+#define LIXEL_READ_4
 #endif
 #if LIXEL_MAPS > 5
 uniform sampler2D shadowMap5;
 uniform vec4 lixelRowU5, lixelRowV5, lixelRowW5, lixelRowDepth5, lixelSizeBias5, lixelRowShare5;
+#define LIXEL_COMPARE_5 LIXEL_COMPARE(5, lixelRowShare5)
+#define LIXEL_READ_5 LIXEL_READ(5, shadowMap5, lixelSizeBias5, lixelRowU5, lixelRowV5, \
+                                lixelRowW5, lixelRowDepth5)
+#else
+#define LIXEL_COMPARE_5
+#define LIXEL_READ_5
 #endif
-
-// A position's coordinate in one map, by the map's rows.
-#define LIXEL_COORDINATE(u, v, w, depth, ws) \
-    vec4(dot(u, ws), dot(v, ws), dot(w, ws), dot(depth, ws))
-// What one map shows at the position ws, whose screen derivatives are dx and dy.
-#define LIXEL_LOOK_UP(map, sizeBias, u, v, w, depth) \
-    lixelVisibilityIn(map, sizeBias, LIXEL_COORDINATE(u, v, w, depth, ws), \
-                      LIXEL_COORDINATE(u, v, w, depth, dx), LIXEL_COORDINATE(u, v, w, depth, dy))
 
 // The map whose function is greatest at a world position: the one that serves it.
 int lixelServingMap(vec4 ws)
@@ -116,26 +146,11 @@ int lixelServingMap(vec4 ws)
     int serving = 0;
     float greatest = dot(lixelRowShare0, ws);
     float share;
-#if LIXEL_MAPS > 1
-    share = dot(lixelRowShare1, ws);
-    if (share > greatest) { serving = 1; greatest = share; }
-#endif
-#if LIXEL_MAPS > 2
-    share = dot(lixelRowShare2, ws);
-    if (share > greatest) { serving = 2; greatest = share; }
-#endif
-#if LIXEL_MAPS > 3
-    share = dot(lixelRowShare3, ws);
-    if (share > greatest) { serving = 3; greatest = share; }
-#endif
-#if LIXEL_MAPS > 4
-    share = dot(lixelRowShare4, ws);
-    if (share > greatest) { serving = 4; greatest = share; }
-#endif
-#if LIXEL_MAPS > 5
-    share = dot(lixelRowShare5, ws);
-    if (share > greatest) { serving = 5; greatest = share; }
-#endif
+    LIXEL_COMPARE_1
+    LIXEL_COMPARE_2
+    LIXEL_COMPARE_3
+    LIXEL_COMPARE_4
+    LIXEL_COMPARE_5
     return serving;
 }
 
@@ -148,33 +163,17 @@ float lixelVisibilityAt(vec3 wsPosition)
     vec4 dx = vec4(dFdx(wsPosition), 0.0);
     vec4 dy = vec4(dFdy(wsPosition), 0.0);
     int serving = lixelServingMap(ws);
-#if LIXEL_MAPS > 5
-    if (serving == 5)
-        return LIXEL_LOOK_UP(shadowMap5, lixelSizeBias5, lixelRowU5, lixelRowV5, lixelRowW5,
-                             lixelRowDepth5);
-#endif
-#if LIXEL_MAPS > 4
-    if (serving == 4)
-        return LIXEL_LOOK_UP(shadowMap4, lixelSizeBias4, lixelRowU4, lixelRowV4, lixelRowW4,
-                             lixelRowDepth4);
-#endif
-#if LIXEL_MAPS > 3
-    if (serving == 3)
-        return LIXEL_LOOK_UP(shadowMap3, lixelSizeBias3, lixelRowU3, lixelRowV3, lixelRowW3,
-                             lixelRowDepth3);
-#endif
-#if LIXEL_MAPS > 2
-    if (serving == 2)
-        return LIXEL_LOOK_UP(shadowMap2, lixelSizeBias2, lixelRowU2, lixelRowV2, lixelRowW2,
-                             lixelRowDepth2);
-#endif
-#if LIXEL_MAPS > 1
-    if (serving == 1)
-        return LIXEL_LOOK_UP(shadowMap1, lixelSizeBias1, lixelRowU1, lixelRowV1, lixelRowW1,
-                             lixelRowDepth1);
-#endif
-    return LIXEL_LOOK_UP(shadowMap0, lixelSizeBias0, lixelRowU0, lixelRowV0, lixelRowW0,
-                         lixelRowDepth0);
+    LIXEL_READ_5
+    LIXEL_READ_4
+    LIXEL_READ_3
+    LIXEL_READ_2
+    LIXEL_READ_1
+    return lixelVisibilityIn(
+        shadowMap0, lixelSizeBias0,
+        lixelCoordinate(lixelRowU0, lixelRowV0, lixelRowW0, lixelRowDepth0, ws),
+        lixelCoordinate(lixelRowU0, lixelRowV0, lixelRowW0, lixelRowDepth0, dx),
+        lixelCoordinate(lixelRowU0, lixelRowV0, lixelRowW0, lixelRowDepth0, dy));
 }
 
+#endif
 #endif

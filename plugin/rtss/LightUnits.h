@@ -11,21 +11,21 @@
 
 namespace Lixel {
 
-class AllSceneTextures;
+class AllLightUnits;
 
-/** Which of a scene manager's shadow textures each light has, frame by frame.
+/** Which shadow units have each light's maps in a scene manager, frame by frame.
 
     OGRE deals them out in the order of the lights that cast shadows here, and gives the k-th
     texture to the k-th unit of content_type shadow, whatever is drawn.
 */
-class SceneTextures : public SceneManagerListener {
+class LightUnits : public SceneManagerListener {
 public:
-    SceneTextures(Ogre::SceneManager& manager, AllSceneTextures& all);
+    LightUnits(Ogre::SceneManager& manager, AllLightUnits& all);
 
     const MapLayout& layout() const { return mLayout; }
 
     /// The shadow unit that has a light's first map; negative where none has.
-    /// @param startLight that of the pass: OGRE begins with this light's textures there
+    /// @param startLight The pass's start_light. OGRE binds shadow textures from that light on.
     int firstUnit(const Ogre::Light& light, std::size_t startLight) const;
 
     void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera* camera) override;
@@ -37,7 +37,7 @@ private:
     void dealOut();
 
     Ogre::SceneManager& mManager;
-    AllSceneTextures& mAll;
+    AllLightUnits& mAll;
     MapLayout mLayout;
     std::map<const Ogre::Light*, std::size_t> mFirstTextures;
     /// The same by the light's place among those that cast shadows.
@@ -45,28 +45,28 @@ private:
 };
 
 /// Those of all scene managers that may draw with the shader system.
-class AllSceneTextures {
+class AllLightUnits {
 public:
     /// @param changed called at the beginning of a frame where layout() is another than in the one
-    /// before. Not at once: a scene manager may be new to this while programs are made.
-    explicit AllSceneTextures(std::function<void()> changed) : mChanged(std::move(changed)) {}
+    /// before. Deferred, because a scene manager may be registered during program generation.
+    explicit AllLightUnits(std::function<void()> changed) : mChanged(std::move(changed)) {}
 
     /// From now on the scene manager counts, until it is destroyed.
-    SceneTextures& of(Ogre::SceneManager& manager);
+    LightUnits& watch(Ogre::SceneManager& manager);
     /// The least that serves all of them.
     const MapLayout& layout() const { return mLayout; }
     /// Forgets all scene managers.
     void clear();
 
 private:
-    friend class SceneTextures;
+    friend class LightUnits;
     void update();
     void beginFrame();
 
     std::function<void()> mChanged;
-    PerScene<SceneTextures> mScenes;
+    PerScene<LightUnits> mScenes;
     MapLayout mLayout;
-    bool mIsNew = false;
+    bool mLayoutChanged = false;
 };
 
 } // namespace Lixel

@@ -1,16 +1,16 @@
-#include "rtss/SceneTextures.h"
+#include "rtss/LightUnits.h"
 
 #include <OgreLight.h>
 
 namespace Lixel {
 
-SceneTextures::SceneTextures(Ogre::SceneManager& manager, AllSceneTextures& all)
+LightUnits::LightUnits(Ogre::SceneManager& manager, AllLightUnits& all)
     : mManager(manager), mAll(all), mLayout(layoutOf(manager)) {
     // This may be in the midst of its frame.
     dealOut();
 }
 
-int SceneTextures::firstUnit(const Ogre::Light& light, std::size_t startLight) const {
+int LightUnits::firstUnit(const Ogre::Light& light, std::size_t startLight) const {
     constexpr int None = -1;
     const auto found = mFirstTextures.find(&light);
     if (found == mFirstTextures.end()) return None;
@@ -19,20 +19,20 @@ int SceneTextures::firstUnit(const Ogre::Light& light, std::size_t startLight) c
     return static_cast<int>(found->second - mStarts[startLight]);
 }
 
-void SceneTextures::preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) {
+void LightUnits::preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) {
     if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
     mLayout = layoutOf(mManager);
     mAll.update();
     mAll.beginFrame();
 }
 
-void SceneTextures::postFindVisibleObjects(Ogre::SceneManager* source,
-                                           Ogre::SceneManager::IlluminationRenderStage,
-                                           Ogre::Viewport*) {
+void LightUnits::postFindVisibleObjects(Ogre::SceneManager* source,
+                                        Ogre::SceneManager::IlluminationRenderStage,
+                                        Ogre::Viewport*) {
     if (source->_getCurrentRenderStage() != Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) dealOut();
 }
 
-void SceneTextures::dealOut() {
+void LightUnits::dealOut() {
     mFirstTextures.clear();
     mStarts.clear();
     std::size_t next = 0;
@@ -45,26 +45,25 @@ void SceneTextures::dealOut() {
     }
 }
 
-SceneTextures& AllSceneTextures::of(Ogre::SceneManager& manager) {
+LightUnits& AllLightUnits::watch(Ogre::SceneManager& manager) {
     const auto [scene, isNew] = mScenes.of(manager, manager, *this);
     if (isNew) update();
     return scene;
 }
 
-void AllSceneTextures::update() {
+void AllLightUnits::update() {
     MapLayout all;
-    mScenes.forEach([&](Ogre::SceneManager&, const SceneTextures& scene) {
-        all = joined(all, scene.layout());
-    });
-    mIsNew |= all != mLayout;
+    mScenes.forEach(
+        [&](Ogre::SceneManager&, const LightUnits& scene) { all = joined(all, scene.layout()); });
+    mLayoutChanged |= all != mLayout;
     mLayout = all;
 }
 
-void AllSceneTextures::beginFrame() {
-    if (std::exchange(mIsNew, false)) mChanged();
+void AllLightUnits::beginFrame() {
+    if (std::exchange(mLayoutChanged, false)) mChanged();
 }
 
-void AllSceneTextures::clear() {
+void AllLightUnits::clear() {
     mScenes.clear();
     mLayout = {};
 }
