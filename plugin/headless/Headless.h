@@ -28,7 +28,7 @@
 
     OGRE 13 and newer is usually built with EGL instead of GLX, and then draws without a server on
     the first EGL device: a GPU, or Mesa's software where there is none. With such an OGRE this
-    library only keeps render systems from the display that there may be, and needs no OSMesa.
+    library only hides the X display from render systems, and needs no OSMesa.
 
     The program itself, not a plugin that it loads, has to link the library, and before libX11 and
     libGL: the CMake target Lixel::Headless puts it first. If it is not, enable() says so.
@@ -58,20 +58,20 @@ enum class Profile {
 
 /// What enable() may be told.
 struct Options {
-    /// The profile of the windows made from then on. Under one that is not the render system's,
+    /// The profile of the windows made from then on. If the render system needs another profile,
     /// createRenderWindow throws, and stderr says why.
     Profile profile = Profile::Auto;
     /// The OSMesa library, a name or a path as dlopen() takes it. Neither this nor the profile is
-    /// used where OGRE was built with EGL. It is loaded by enable() and not
-    /// before, so that a program that links Lixel::Headless also starts where there is no OSMesa.
+    /// used where OGRE was built with EGL. It is loaded by enable() and not before, so that a
+    /// program that links Lixel::Headless also starts where there is no OSMesa.
     std::string library = "libOSMesa.so.8";
 };
 
 /** Switch headless rendering on, for the rest of the process.
 
     Call it before Ogre::Root is made or, at the latest, before a render system's plugin is loaded.
-    Only OGRE's render systems are served: a window library such as GLFW still talks to the real X
-    server if it is initialised nevertheless.
+    Libraries that load libGL themselves, such as GLFW, still reach the real server. Code linked to
+    GLX gets ours.
 
     Once on, calling it again only changes the profile; the library stays the one that was loaded.
     @return empty if headless rendering is on as asked. Else what is wrong and what to do about it,
@@ -86,9 +86,9 @@ struct Options {
     The window has the width and height that createRenderWindow is given, within 1 to 16384 pixels,
     and an OpenGL context and a framebuffer of its own. Other parameters can be added, but OSMesa's
     framebuffer has neither multisampling nor gamma correction: render to a texture for these.
-    Ask right before each window is made: one that is made with parameters already used, or asked for
-    before another window was made, shares the framebuffer of the window that was drawn last. RenderWindow::resize works. The memory is released when the
-    render systems are, that is with Ogre::Root, not with the window.
+    Ask right before each window is made. Otherwise the new window shares the most recently drawn
+    window's framebuffer. RenderWindow::resize works. The memory is released when the render systems
+    are, that is with Ogre::Root, not with the window.
 
     Without these parameters (or with `Root::initialise(true)`) createRenderWindow throws.
 
@@ -96,8 +96,8 @@ struct Options {
     to be what EGL can draw, and resize() can only make it smaller.
 
     Several windows: OGRE 13 and newer draws nothing but the background into all but the first,
-    shown on a display or not, because it makes one program pipeline for all, and OpenGL shares none
-    between contexts. Before Root::initialise, turn them off:
+    shown on a display or not. OGRE uses one program pipeline object for all windows, but pipelines
+    are not shared between contexts. Disable them before Root::initialise:
     `renderSystem->setConfigOption("Separate Shader Objects", "No")`.
     @return the parameters, or an empty map while isEnabled() is false */
 [[nodiscard]] LIXEL_HEADLESS_EXPORT std::map<std::string, std::string> windowParameters();

@@ -20,10 +20,6 @@ namespace {
 
 using Ogre::ColourValue;
 
-/// Built with EGL, OGRE makes the contexts itself, and OSMesa has no part in it.
-constexpr bool usesEgl = LIXEL_OGRE_USES_EGL != 0;
-const char* const onlyWithGlx = "OGRE was built with EGL";
-
 bool isInstalled(const std::string& renderSystem) {
     return std::filesystem::exists(OGRE_PLUGIN_DIR "/" + renderSystem + ".so");
 }
@@ -96,7 +92,8 @@ void drawWithTheLegacyRenderSystem() {
     expectRectangles(Picture(*window), blue);
 }
 
-void expectNoWindowUnder(Lixel::Headless::Profile profile, const std::string& renderSystem) {
+void expectNoWindowUnder(Lixel::Headless::Profile profile, const std::string& renderSystem,
+                         const std::string& reason) {
     if (usesEgl) GTEST_SKIP() << onlyWithGlx;
     if (!isInstalled(renderSystem)) GTEST_SKIP() << "this OGRE has no " << renderSystem;
     ASSERT_EQ(Lixel::Headless::enable({.profile = profile}), "");
@@ -108,9 +105,7 @@ void expectNoWindowUnder(Lixel::Headless::Profile profile, const std::string& re
     EXPECT_THROW(scene.createWindow("window", 64, 48, Lixel::Headless::windowParameters()),
                  Ogre::RenderingAPIException);
     const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_NE(said.find("another OpenGL profile than " + renderSystem + " needs"),
-              std::string::npos)
-        << said;
+    EXPECT_NE(said.find(reason), std::string::npos) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
 }
 
@@ -125,11 +120,24 @@ TEST_F(Headless, DrawsWithTheLegacyRenderSystemAskedFor) {
 }
 
 TEST_F(Headless, TheLegacyRenderSystemHasNoWindowUnderCore) {
-    expectNoWindowUnder(Lixel::Headless::Profile::Core, "RenderSystem_GL");
+    expectNoWindowUnder(Lixel::Headless::Profile::Core, "RenderSystem_GL",
+                        "another OpenGL profile than RenderSystem_GL needs");
 }
 
 TEST_F(Headless, GL3PlusHasNoWindowUnderCompatibility) {
-    expectNoWindowUnder(Lixel::Headless::Profile::Compatibility, "RenderSystem_GL3Plus");
+    expectNoWindowUnder(Lixel::Headless::Profile::Compatibility, "RenderSystem_GL3Plus",
+                        "another OpenGL profile than RenderSystem_GL3Plus needs");
+}
+
+// OSMesa has desktop OpenGL alone.
+TEST_F(Headless, GLES2HasNoWindow) {
+    expectNoWindowUnder(Lixel::Headless::Profile::Auto, "RenderSystem_GLES2",
+                        "RenderSystem_GLES2 cannot be used headless");
+}
+
+TEST_F(Headless, GLES2HasNoWindowUnderCompatibility) {
+    expectNoWindowUnder(Lixel::Headless::Profile::Compatibility, "RenderSystem_GLES2",
+                        "RenderSystem_GLES2 cannot be used headless");
 }
 
 TEST_F(Headless, RootCanBeMadeAgain) {
@@ -228,46 +236,6 @@ TEST_F(Headless, RootNeedsNoWindow) {
     EXPECT_EQ(scene.root().getRenderSystem()->getName(), "OpenGL 3+ Rendering Subsystem");
 }
 
-// ------------------------------------------------------- what does not need a render window
-
-TEST(HeadlessErrors, NoOSMesa) {
-    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
-    ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
-    const std::string error = Lixel::Headless::enable({.library = "libNoSuchOSMesa.so.8"});
-    EXPECT_NE(error.find("libNoSuchOSMesa.so.8"), std::string::npos) << error;
-    EXPECT_NE(error.find("libosmesa6"), std::string::npos) << error;
-    EXPECT_FALSE(Lixel::Headless::isEnabled());
-    EXPECT_TRUE(Lixel::Headless::windowParameters().empty());
-}
-
-TEST(HeadlessErrors, NotOSMesa) {
-    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
-    ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
-    const std::string error = Lixel::Headless::enable({.library = "libm.so.6"});
-    EXPECT_NE(error.find("libm.so.6 is not"), std::string::npos) << error;
-    EXPECT_FALSE(Lixel::Headless::isEnabled());
-}
-
-TEST(HeadlessErrors, CanBeEnabledAfterAFailure) {
-    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
-    ASSERT_NE(Lixel::Headless::enable({.library = "libNoSuchOSMesa.so.8"}), "");
-    EXPECT_EQ(Lixel::Headless::enable(), "");
-    EXPECT_TRUE(Lixel::Headless::isEnabled());
-}
-
-// Without enable() the render system must reach the real libX11, which finds no server.
-TEST(HeadlessErrors, NotEnabled) {
-    if (usesEgl) GTEST_SKIP() << onlyWithGlx;
-    ASSERT_FALSE(Lixel::Headless::isEnabled()) << "run this test in a process of its own";
-    unsetenv("DISPLAY");
-    Ogre::LogManager logs;
-    logs.createLog("", true, false, true);
-    // It outlives the exception, whose code is in the plugin that Root unloads.
-    Ogre::Root root("", "", "");
-    EXPECT_THROW(root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus"),
-                 Ogre::RenderingAPIException);
-}
-
 TEST(HeadlessByEgl, NeedsNoOSMesa) {
     if (!usesEgl) GTEST_SKIP() << "OGRE was built with GLX";
     unsetenv("DISPLAY");
@@ -278,20 +246,6 @@ TEST(HeadlessByEgl, NeedsNoOSMesa) {
     scene.show(window, ColourValue::Blue);
     scene.root().renderOneFrame();
     expectRectangles(Picture(*window), blue);
-}
-
-TEST(DisplayUsable, NotWithoutAName) {
-    unsetenv("DISPLAY");
-    EXPECT_FALSE(Lixel::Headless::isDisplayUsable());
-    setenv("DISPLAY", "", 1);
-    EXPECT_FALSE(Lixel::Headless::isDisplayUsable());
-}
-
-TEST(DisplayUsable, NotWithoutAServer) {
-    setenv("DISPLAY", ":54321", 1);
-    EXPECT_FALSE(Lixel::Headless::isDisplayUsable());
-    ASSERT_EQ(Lixel::Headless::enable(), "");
-    EXPECT_FALSE(Lixel::Headless::isDisplayUsable());
 }
 
 } // namespace

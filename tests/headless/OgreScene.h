@@ -24,6 +24,10 @@
 
 namespace Lixel::Tests {
 
+/// Built with EGL, OGRE makes the contexts itself, and OSMesa has no part in it.
+inline constexpr bool usesEgl = LIXEL_OGRE_USES_EGL != 0;
+inline constexpr const char* onlyWithGlx = "OGRE was built with EGL";
+
 using Parameters = std::map<std::string, std::string>;
 
 /// A root with a render system that has been initialised, but has no window.
