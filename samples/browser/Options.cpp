@@ -1,5 +1,7 @@
 #include "browser/Options.h"
 
+#include "common/Names.h"
+
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
@@ -34,14 +36,6 @@ void parseLight(const std::string& text, BrowserOptions& options) {
     options.azimuthElevation = {azimuth, elevation};
 }
 
-template <typename Named>
-std::string namesOf(const std::vector<Named>& all) {
-    std::string names;
-    for (const Named& one : all)
-        names += (names.empty() ? "" : ", ") + one.name;
-    return names;
-}
-
 } // namespace
 
 std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
@@ -71,7 +65,7 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
         "Sun's AZIMUTH,ELEVATION in degrees");
     app.add_option("--view", options.view, "View of the sample, from 1")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--output", options.output, "Picture file to write (headless), PNG");
+    app.add_option("--output", options.output, "PNG to write: at once when headless, else at F12");
     app.add_option("--stats", options.stats, "File for times and errors, JSON (headless)");
     app.add_option("--comparison", options.comparison,
                    "PNG of errors against exact shadows: red acne, blue leak (headless)");
@@ -85,11 +79,9 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
         return 2;
     };
     if (options.modelFile.empty() && findSampleScene(options.sample) == nullptr)
-        return complain(fmt::format("there is no sample '{}'; there are: {}", options.sample,
-                                    namesOf(sampleScenes())));
+        return complain(noneOfThatName("sample", options.sample, sampleScenes()));
     if (findShadowSetup(options.setup) == nullptr)
-        return complain(fmt::format("there is no setup '{}'; there are: {}", options.setup,
-                                    namesOf(shadowSetups())));
+        return complain(noneOfThatName("setup", options.setup, shadowSetups()));
     const std::string wrong = wrongAssignment(*findShadowSetup(options.setup), options.assignments);
     if (!wrong.empty()) return complain(wrong);
     return options;

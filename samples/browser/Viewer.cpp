@@ -1,6 +1,9 @@
 #include "browser/Viewer.h"
 
 #include "browser/Report.h"
+#include "common/FileWatch.h"
+
+#include <Lixel/reload/Reload.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -19,12 +22,16 @@ constexpr float RadiansPerPixel = 0.0035F;
 /// Flying crosses the shadow distance in this many seconds.
 constexpr float SecondsAcross = 20.0F;
 
+/// Between two looks at the files of scripts and shaders.
+constexpr std::chrono::milliseconds WatchInterval(250);
+
 /// One window's state; GLFW's callbacks reach it through the window's user pointer.
 class Viewer {
 public:
     Viewer(Stage& stage, const SampleScene& scene, const BrowserOptions& options)
         : mStage(stage),
           mScene(scene),
+          mOptions(options),
           mView(static_cast<std::size_t>(options.view) - 1),
           mPicture(options.output.empty() ? "lixel.png" : options.output) {
         const auto& setups = shadowSetups();
@@ -43,7 +50,8 @@ public:
 
     void run() {
         fmt::print("Drag with a mouse button to look, W A S D Q E to fly (Shift: faster), "
-                   "1-{} setups, V views, F12 picture, Esc ends.\n",
+                   "1-{} setups, V views, F12 picture, Esc ends.\n"
+                   "What is edited in Lixel's scripts and shaders shows at once.\n",
                    std::min<std::size_t>(shadowSetups().size(), 9));
         std::fflush(stdout);
         auto last = std::chrono::steady_clock::now();
@@ -52,6 +60,7 @@ public:
             const auto now = std::chrono::steady_clock::now();
             fly(std::chrono::duration<float>(now - last).count());
             last = now;
+            readEdits(now);
             mStage.drawFrame();
         }
     }
@@ -67,26 +76,54 @@ private:
         const auto& setups = shadowSetups();
         if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
             const std::size_t choice = static_cast<std::size_t>(key - GLFW_KEY_1);
-            if (choice >= setups.size()) return;
-            mSetup = choice;
-            mStage.setShadowSetup(setups[choice].create());
-            fmt::print("{}: {}\n", setups[choice].name, setups[choice].title);
-            std::fflush(stdout);
-            showTitle();
+            if (choice < setups.size()) showSetup(choice);
         } else if (key == GLFW_KEY_V) {
-            mView = (mView + 1) % mScene.views.size();
-            mStage.setView(mScene.views[mView]);
-            if (mScene.views[mView].light) mStage.setLight(*mScene.views[mView].light);
-            showTitle();
+            showView((mView + 1) % mScene.views.size());
         } else if (key == GLFW_KEY_F12) {
-            const int width = static_cast<int>(mStage.window().getWidth());
-            const int height = static_cast<int>(mStage.window().getHeight());
-            savePicture(mStage.picture(), width, height, mPicture);
-            fmt::print("picture: {}\n", std::filesystem::absolute(mPicture).string());
-            std::fflush(stdout);
+            takePicture();
         } else if (key == GLFW_KEY_ESCAPE) {
             glfwSetWindowShouldClose(mStage.glfwWindow(), GLFW_TRUE);
         }
+    }
+
+    void showSetup(std::size_t choice) {
+        const NamedSetup& setup = shadowSetups()[choice];
+        mSetup = choice;
+        // Options that were asked for belong to the setup that was asked for.
+        const bool isAskedFor = setup.name == mOptions.setup;
+        mStage.setShadowSetup(isAskedFor ? withOptions(setup, mOptions.assignments).create()
+                                         : setup.create());
+        fmt::print("{}: {}\n", setup.name, setup.title);
+        std::fflush(stdout);
+        showTitle();
+    }
+
+    void showView(std::size_t choice) {
+        const SampleView& view = mScene.views[choice];
+        mView = choice;
+        mStage.setView(view);
+        // A sun that was asked for stays.
+        if (!mOptions.azimuthElevation) mStage.setLight(defaultLight(mScene, view));
+        showTitle();
+    }
+
+    void takePicture() {
+        const int width = static_cast<int>(mStage.window().getWidth());
+        const int height = static_cast<int>(mStage.window().getHeight());
+        // No exception may pass through GLFW, which is C and called us.
+        try {
+            savePicture(mStage.picture(), width, height, mPicture);
+            fmt::print("picture: {}\n", std::filesystem::absolute(mPicture).string());
+            std::fflush(stdout);
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "lixel-browser: {}\n", error.what());
+        }
+    }
+
+    bool anyButtonHeld() const {
+        for (int button = GLFW_MOUSE_BUTTON_1; button <= GLFW_MOUSE_BUTTON_LAST; ++button)
+            if (glfwGetMouseButton(mStage.glfwWindow(), button) == GLFW_PRESS) return true;
+        return false;
     }
 
     void mouse(double x, double y) {
@@ -94,10 +131,7 @@ private:
         const float dy = static_cast<float>(y - mMouseY);
         mMouseX = x;
         mMouseY = y;
-        GLFWwindow* const window = mStage.glfwWindow();
-        if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) != GLFW_PRESS &&
-            glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) != GLFW_PRESS)
-            return;
+        if (!anyButtonHeld()) return;
         Ogre::SceneNode& node = *mStage.camera().getParentSceneNode();
         node.yaw(Ogre::Radian(-dx * RadiansPerPixel), Ogre::Node::TS_WORLD);
         node.pitch(Ogre::Radian(-dy * RadiansPerPixel), Ogre::Node::TS_LOCAL);
@@ -112,8 +146,8 @@ private:
         if (held(GLFW_KEY_Q)) move.y -= 1;
         if (held(GLFW_KEY_E)) move.y += 1;
         if (move == Ogre::Vector3::ZERO) return;
-        const float speed =
-            mScene.shadowDistance / SecondsAcross * (held(GLFW_KEY_LEFT_SHIFT) ? 5.0F : 1.0F);
+        const bool faster = held(GLFW_KEY_LEFT_SHIFT) || held(GLFW_KEY_RIGHT_SHIFT);
+        const float speed = mScene.shadowDistance / SecondsAcross * (faster ? 5.0F : 1.0F);
         mStage.camera().getParentSceneNode()->translate(move.normalisedCopy() * speed * seconds,
                                                         Ogre::Node::TS_LOCAL);
     }
@@ -126,18 +160,38 @@ private:
                                            Ogre::Real(viewport.getActualHeight()));
     }
 
+    /// Reads scripts and shaders again where their files have changed.
+    void readEdits(std::chrono::steady_clock::time_point now) {
+        if (now < mNextWatch) return;
+        mNextWatch = now + WatchInterval;
+        if (!mWatch.changed()) return;
+        const std::vector<std::string> errors = reload(Ogre::RGN_DEFAULT);
+        mError = errors.empty() ? "" : errors.front();
+        for (const std::string& error : errors)
+            fmt::print(stderr, "{}\n", error);
+        fmt::print("{}\n", errors.empty() ? "scripts and shaders: read again"
+                                          : "scripts and shaders: what has errors stays as it was");
+        std::fflush(stdout);
+        showTitle();
+    }
+
     void showTitle() {
+        const std::string scene =
+            fmt::format("Lixel - {} - {} - {}", mScene.name, mScene.views[mView].name,
+                        shadowSetups()[mSetup].title);
         glfwSetWindowTitle(mStage.glfwWindow(),
-                           fmt::format("Lixel - {} - {} - {}", mScene.name,
-                                       mScene.views[mView].name, shadowSetups()[mSetup].title)
-                               .c_str());
+                           mError.empty() ? scene.c_str() : ("Error: " + mError).c_str());
     }
 
     Stage& mStage;
     const SampleScene& mScene;
+    const BrowserOptions& mOptions;
     std::size_t mView;
     std::size_t mSetup = 0;
     std::string mPicture;
+    FileWatch mWatch{Ogre::RGN_DEFAULT};
+    std::chrono::steady_clock::time_point mNextWatch;
+    std::string mError; ///< the first of the last edit
     double mMouseX = 0.0;
     double mMouseY = 0.0;
 };

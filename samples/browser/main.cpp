@@ -5,11 +5,24 @@
 
 #include <Lixel/headless/Headless.h>
 
+#include <OgreLogManager.h>
+
 #include <fmt/core.h>
 
 using namespace Lixel::Samples;
 
 namespace {
+
+/// Prints Lixel's and the samples' warnings, as the stage writes no log file.
+class WarningPrinter : public Ogre::LogListener {
+public:
+    void messageLogged(const Ogre::String& message, Ogre::LogMessageLevel level, bool,
+                       const Ogre::String&, bool&) override {
+        const std::size_t begin = message.find("Lixel: "); // after OGRE's own prefix
+        if (level >= Ogre::LML_WARNING && begin != std::string::npos)
+            fmt::print(stderr, "{}\n", message.substr(begin));
+    }
+};
 
 int show(Stage& stage, const BrowserOptions& options) {
     const SampleScene scene = options.modelFile.empty() ? *findSampleScene(options.sample)
@@ -41,7 +54,9 @@ int run(const BrowserOptions& options) {
                            "server does not answer); --headless draws without one\n");
         return 1;
     }
+    WarningPrinter printer; // outlives the log
     Stage stage({.headless = options.headless, .width = options.width, .height = options.height});
+    Ogre::LogManager::getSingleton().getDefaultLog()->addListener(&printer);
     try {
         return show(stage, options);
     } catch (const Ogre::Exception& error) {

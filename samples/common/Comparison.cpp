@@ -57,6 +57,18 @@ public:
         return sum / static_cast<double>(count);
     }
 
+    /// Half of the least mean error that is not 0, in percent; 0 where no pixel counts.
+    double halfPixel() const {
+        std::ptrdiff_t most = 0;
+        for (const Pose& pose : mPoses)
+            most = std::max(most, std::count_if(pose.truth.pixels.begin(), pose.truth.pixels.end(),
+                                                [](PixelClass pixel) {
+                                                    return pixel == PixelClass::Lit ||
+                                                           pixel == PixelClass::Shadowed;
+                                                }));
+        return most == 0 ? 0.0 : 50.0 / static_cast<double>(most * std::ssize(mPoses));
+    }
+
 private:
     struct Pose {
         SampleView view;
@@ -115,8 +127,8 @@ std::vector<ComparedCase> compareSetups(Stage& stage, const SampleScene& scene,
     for (const SampleLight& light : scene.lights) {
         if (cases.size() == lights) break;
         const Case one(stage, oracle, scene, light, views);
-        // From large to small, as the error of a map too coarse to hold any shadow is bounded by
-        // how little of the picture is in shadow, and says nothing.
+        // From large to small. On very coarse maps shadows vanish; the error then only measures the
+        // shadowed area.
         ComparedCase best;
         best.scene = scene.name;
         best.light = light.name;
@@ -136,6 +148,7 @@ std::vector<ComparedCase> compareSetups(Stage& stage, const SampleScene& scene,
             continue;
         }
         best.error = one.errorOf(setup, best.mapSize, true);
+        best.halfPixel = one.halfPixel();
         best.reason = observer.reason;
         cases.push_back(best);
     }

@@ -3,6 +3,7 @@
 #include "common/Measurement.h"
 #include "common/Setups.h"
 
+#include <algorithm>
 #include <functional>
 #include <span>
 
@@ -12,11 +13,13 @@ namespace Lixel::Samples {
 struct ComparedCase {
     std::string scene;
     std::string light;
-    int mapSize = 0;       ///< texels, the same for both
-    double error = 0.0;    ///< percent, of the setup
-    double baseline = 0.0; ///< percent, of the baseline
-    std::string reason;    ///< of the setup's fit
-    double ratio() const { return error / baseline; }
+    int mapSize = 0;        ///< texels, the same for both
+    double error = 0.0;     ///< percent, of the setup
+    double baseline = 0.0;  ///< percent, of the baseline
+    double halfPixel = 0.0; ///< percent: less than any error that is not 0
+    std::string reason;     ///< of the setup's fit
+    /// Without any error, that of half a pixel: a mean of logarithms cannot hold a ratio of 0.
+    double ratio() const { return std::max(error, halfPixel) / baseline; }
 };
 
 /// Paired geometric mean of ratios with its 95 % interval, from the spread of their logarithms.

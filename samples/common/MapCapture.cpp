@@ -39,7 +39,7 @@ MapCapture::MapCapture(Stage& stage) : mStage(stage) {
 MapCapture::~MapCapture() {
     removeShadowMapObserver(*this);
     mStage.sceneManager().setSpecialCaseRenderQueueMode(Ogre::SceneManager::SCRQM_EXCLUDE);
-    setMaps(mMapSize, 1);
+    if (mMapSize > 0) setMaps(mMapSize, 1); // else nothing was captured, and nothing changed
 }
 
 void MapCapture::setMaps(int mapSize, std::size_t count) {

@@ -11,7 +11,8 @@ namespace Lixel::Samples {
 /** Shadow maps' matrices, as OGRE would draw with them, without drawing anything.
 
     While one lives, the stage's frames find what is visible and set shadow cameras up, but draw
-    nothing. The stage's map settings and the light's setup are left changed.
+    nothing. Afterwards every light has one map again, of the size that was captured last. The
+    light keeps the setup that was captured last.
 */
 class MapCapture : private ShadowMapObserver {
 public:

@@ -20,8 +20,8 @@ struct EmulatedMap {
     /// View-space depths whose receivers read this map, in world units, the end excluded.
     double beginDepth = 0.0;
     double endDepth = std::numeric_limits<double>::infinity();
-    /// Of the maps whose depths hold a point, the one that serves it is that whose row times the
-    /// point is greatest; relative to TriangleScene::wsOrigin.
+    /// Of the maps whose depths hold a point, the map with the largest wsShare . point is read.
+    /// The point is relative to TriangleScene::wsOrigin.
     Eigen::RowVector4d wsShare = Eigen::RowVector4d::Zero();
     /// How much nearer than its receiver a caster must be beyond MapEmulation's own bias, in world
     /// units along the light ray.

@@ -1,5 +1,6 @@
 #include "common/Measurement.h"
 
+#include "common/Median.h"
 #include "common/OracleView.h"
 
 #include <algorithm>
@@ -7,13 +8,6 @@
 
 namespace Lixel::Samples {
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Milliseconds on the clock that fits the renderer, after all drawing is done.
 class Clock {

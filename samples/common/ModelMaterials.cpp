@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 
 namespace Lixel::Samples {
@@ -114,16 +115,24 @@ std::vector<Ogre::MaterialPtr> makeModelMaterials(const aiScene& model, const st
                                                   const std::string& directory,
                                                   std::vector<std::string>& notes) {
     std::vector<Ogre::MaterialPtr> materials;
+    // By the model's references: several materials may share one. Empty where it cannot be read.
+    std::map<std::string, std::string> textures;
     for (unsigned i = 0; i < model.mNumMaterials; ++i) {
         const aiMaterial& material = *model.mMaterials[i];
         Ogre::ColourValue colour = colourOf(material);
         std::string texture;
         if (const std::string reference = diffuseTextureOf(material); !reference.empty()) {
-            texture = loadTexture(model, reference, prefix, directory);
-            if (texture.empty())
-                notes.push_back("texture '" + reference + "' cannot be read: plain colour instead");
-            else if (std::max({colour.r, colour.g, colour.b}) < 0.02F)
-                colour = Ogre::ColourValue::White; // black is what exporters write beside a texture
+            const auto [known, isNew] = textures.try_emplace(reference);
+            if (isNew) {
+                known->second = loadTexture(model, reference, prefix, directory);
+                if (known->second.empty())
+                    notes.push_back("texture '" + reference +
+                                    "' cannot be read: plain colour instead");
+            }
+            texture = known->second;
+            // Black is what exporters write beside a texture.
+            if (!texture.empty() && std::max({colour.r, colour.g, colour.b}) < 0.02F)
+                colour = Ogre::ColourValue::White;
         }
         materials.push_back(makeSurface(prefix + "/material" + std::to_string(i), colour, texture));
     }

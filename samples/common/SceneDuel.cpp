@@ -59,7 +59,6 @@ void plantTrees(Ogre::SceneManager& sceneManager) {
 }
 
 void buildDuel(Ogre::SceneManager& sceneManager) {
-    sceneManager.setAmbientLight(SampleScene{}.ambient);
     placeGround(sceneManager, DuelPath + "ground", 150.0F,
                 makeSurface(DuelPath + "ground", ColourValue(0.66F, 0.66F, 0.52F),
                             patternTexture(Pattern::Grain)));

@@ -95,7 +95,6 @@ std::vector<Ogre::MaterialPtr> colours() {
 }
 
 void buildField(Ogre::SceneManager& sceneManager) {
-    sceneManager.setAmbientLight(SampleScene{}.ambient);
     placeGround(sceneManager, "Lixel/Samples/field/ground", HalfSide,
                 makeSurface("Lixel/Samples/field/ground", ColourValue(0.67F, 0.70F, 0.56F),
                             patternTexture(Pattern::Grain)));

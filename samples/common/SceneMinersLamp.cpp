@@ -131,7 +131,6 @@ void buildFurniture(Ogre::SceneManager& sceneManager) {
 }
 
 void buildMinersLamp(Ogre::SceneManager& sceneManager) {
-    sceneManager.setAmbientLight(ColourValue(0.12F, 0.12F, 0.14F));
     buildShell(sceneManager);
     buildPillars(sceneManager);
     buildFurniture(sceneManager);

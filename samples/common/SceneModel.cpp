@@ -1,6 +1,8 @@
 #include "common/ModelFile.h"
 #include "common/Scenes.h"
 
+#include <Lixel/scene/Log.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -17,9 +19,10 @@ SampleScene modelScene(const std::string& path) {
     SampleScene scene;
     scene.name = "model";
     scene.title = "Model: " + std::filesystem::path(path).filename().string();
-    scene.build = [file](Ogre::SceneManager& sceneManager) {
-        sceneManager.setAmbientLight(SampleScene{}.ambient);
-        file->addTo(sceneManager, *sceneManager.getRootSceneNode());
+    scene.build = [file, path](Ogre::SceneManager& sceneManager) {
+        const ImportedModel model = file->addTo(sceneManager, *sceneManager.getRootSceneNode());
+        for (const std::string& note : model.notes)
+            logWarning("model '" + path + "': " + note);
     };
     const auto view = [&](const std::string& name, const Ogre::Vector3& position,
                           const Ogre::Vector3& target) {
@@ -51,7 +54,7 @@ SampleScene modelScene(const std::string& path) {
              foot + 0.5F * half * alongSide + 0.4F * halfWidth * outwards),
     };
     scene.views.back().fovYDegrees = 75.0F;
-    // A telescope, as far away as it enlarges.
+    // Far away, with a narrow field of view.
     scene.views[5].fovYDegrees = 18.0F;
     scene.lights = {sunlight("afternoon", 80.0F, 40.0F),
                     sunlight("low-from-the-side", 120.0F, 15.0F),

@@ -6,14 +6,6 @@ namespace Lixel::Samples {
 
 using Ogre::Vector3;
 
-float Random::between(float low, float high) {
-    return low + (high - low) * static_cast<float>(mEngine() >> 8U) / static_cast<float>(1U << 24U);
-}
-
-int Random::below(int count) {
-    return static_cast<int>(mEngine() % static_cast<unsigned>(count));
-}
-
 Ogre::Entity* place(Ogre::SceneManager& sceneManager, const Ogre::MeshPtr& mesh,
                     const Ogre::MaterialPtr& material, const Placement& placement) {
     Ogre::Entity* entity = sceneManager.createEntity(mesh);

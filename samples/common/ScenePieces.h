@@ -1,25 +1,12 @@
 #pragma once
 
 #include "common/MeshBuilder.h"
+#include "common/Random.h"
 #include "common/Surface.h"
 
-#include <random>
 #include <string>
 
 namespace Lixel::Samples {
-
-/// Random numbers that are the same with every standard library.
-class Random {
-public:
-    explicit Random(std::uint32_t seed) : mEngine(seed) {}
-    /// Uniform in [low, high).
-    float between(float low, float high);
-    /// Uniform in 0 .. count - 1.
-    int below(int count);
-
-private:
-    std::mt19937 mEngine;
-};
 
 /// Where a piece stands: turned by `yawDegrees` about y, then moved.
 struct Placement {

@@ -313,7 +313,6 @@ void buildStreet(Ogre::SceneManager& sceneManager) {
 }
 
 void buildScene(Ogre::SceneManager& sceneManager) {
-    sceneManager.setAmbientLight(SampleScene{}.ambient);
     buildStreet(sceneManager);
     buildPark(sceneManager);
     buildHouses(sceneManager);

@@ -38,7 +38,7 @@ struct SampleView {
 struct SampleScene {
     std::string name;  ///< for the command line: lower case, dashes
     std::string title; ///< one line for people
-    /** Adds everything but camera and lights below the root scene node, and sets the ambient light.
+    /** Adds everything but camera and lights below the root scene node.
         @exception Ogre::ItemIdentityException without the material Lixel/Surface
     */
     std::function<void(Ogre::SceneManager&)> build;
@@ -56,6 +56,8 @@ const std::vector<SampleScene>& sampleScenes();
 const SampleScene* findSampleScene(const std::string& name);
 
 /** Any model file as a scene, with views and lights from its bounding box.
+
+    When it is built, OGRE's log gets a warning for each thing that could not be read.
     @exception Ogre::Exception as ModelFile
 */
 SampleScene modelScene(const std::string& path);

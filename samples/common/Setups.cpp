@@ -24,23 +24,30 @@ public:
         : Ogre::MovablePlane(Ogre::Vector3::UNIT_Y, 0), Ogre::PlaneOptimalShadowCameraSetup(this) {}
 };
 
-/// Splits between the viewer's planes: what OGRE's sample does by hand.
-class OneSplitSetup : public Ogre::PSSMShadowCameraSetup {
+/// OGRE's parallel splits, made for each viewer: what OGRE's sample does by hand.
+class SplitSetup : public Ogre::PSSMShadowCameraSetup {
 public:
     void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
                          const Ogre::Viewport* viewport, const Ogre::Light* light,
                          Ogre::Camera* shadowCamera, std::size_t iteration) const override {
-        // Only the first split is drawn; fewer than two are refused.
         const Ogre::Real reach = light->getShadowFarDistance();
-        const Ogre::Real end = reach > 0 ? reach : viewer->getFarClipDistance();
         // The splits are the viewer's, which the setup is not told when it is made; OGRE calls
         // this const but keeps it as any other option.
-        const_cast<OneSplitSetup*>(this)->setSplitPoints(
-            {viewer->getNearClipDistance(), end, 2 * end});
+        const_cast<SplitSetup*>(this)->setSplits(*viewer,
+                                                 reach > 0 ? reach : viewer->getFarClipDistance());
         PSSMShadowCameraSetup::getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera,
                                                iteration);
     }
+    virtual void setSplits(const Ogre::Camera& viewer, Ogre::Real shadowDistance) = 0;
+};
+
+/// Only the first split is drawn, and it holds all; fewer than two are refused.
+class OneSplitSetup : public SplitSetup {
+public:
     OneSplitSetup() { setSplitPoints({1, 100, 200}); }
+    void setSplits(const Ogre::Camera& viewer, Ogre::Real shadowDistance) override {
+        setSplitPoints({viewer.getNearClipDistance(), shadowDistance, 2 * shadowDistance});
+    }
 };
 
 class OptimalLiSPSMSetup : public Ogre::LiSPSMShadowCameraSetup {
@@ -54,24 +61,14 @@ public:
 constexpr std::size_t SplitCount = 3;
 
 /// Splits between the viewer's near plane and the shadow distance, as OGRE's sample has them.
-class ThreeSplitSetup : public Ogre::PSSMShadowCameraSetup {
+class ThreeSplitSetup : public SplitSetup {
 public:
     ThreeSplitSetup() {
         setOptimalAdjustFactor(0, 2);
         setOptimalAdjustFactor(1, 1);
         setOptimalAdjustFactor(2, Ogre::Real(0.5));
     }
-    void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
-                         const Ogre::Viewport* viewport, const Ogre::Light* light,
-                         Ogre::Camera* shadowCamera, std::size_t iteration) const override {
-        const Ogre::Real reach = light->getShadowFarDistance();
-        // As in OneSplitSetup.
-        const_cast<ThreeSplitSetup*>(this)->setSplits(
-            *viewer, reach > 0 ? reach : viewer->getFarClipDistance());
-        PSSMShadowCameraSetup::getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera,
-                                               iteration);
-    }
-    void setSplits(const Ogre::Camera& viewer, Ogre::Real shadowDistance) {
+    void setSplits(const Ogre::Camera& viewer, Ogre::Real shadowDistance) override {
         setSplitPadding(viewer.getNearClipDistance());
         calculateSplitPoints(SplitCount, viewer.getNearClipDistance(), shadowDistance);
     }
@@ -131,6 +128,13 @@ std::string describe(std::span<const Option> options) {
     for (const Option& option : options)
         text += "\n  " + std::string(option.keyword) + ": " + describeValues(option);
     return text;
+}
+
+/// The options of one of Lixel's setups, and their values, in lines; empty for OGRE's own.
+std::string describeOptions(const NamedSetup& setup) {
+    const SetupKind* const kind = findSetupKind(setup.name);
+    return kind == nullptr ? std::string()
+                           : describe(kind->options) + describe(CommonOptions::declared());
 }
 
 } // namespace
@@ -220,12 +224,6 @@ std::string wrongAssignment(const NamedSetup& setup, const std::vector<std::stri
         wrong = error.what();
     }
     return "setup '" + setup.name + "': " + wrong + "; its options are" + known;
-}
-
-std::string describeOptions(const NamedSetup& setup) {
-    const SetupKind* const kind = findSetupKind(setup.name);
-    return kind == nullptr ? std::string()
-                           : describe(kind->options) + describe(CommonOptions::declared());
 }
 
 } // namespace Lixel::Samples

@@ -15,8 +15,8 @@ struct NamedSetup {
     std::function<Ogre::ShadowCameraSetupPtr()> create;
     /// Maps of one light.
     std::size_t maps = 1;
-    /// Where the ranges of view depths meet that they serve, for setups that do not say it
-    /// themselves: maps + 1 view depths in world units, from the viewer and how far shadows reach.
+    /// The maps + 1 split depths, in world units, from the viewer and how far shadows reach; for
+    /// setups that do not say themselves which view depths each map serves.
     std::function<std::vector<double>(const Ogre::Camera& viewer, double shadowDistance)>
         splitDepths = {};
 };
@@ -25,8 +25,8 @@ struct NamedSetup {
 
     All have one map. Ogre-PSSM has one split: with additive shadows OGRE draws one map a light.
     Ogre-LiSPSM-Optimal derives its parameter from the scene's depths (Wimmer et al. 2004) instead
-    of the viewer's planes. PlaneOptimal and
-    Ogre-PlaneOptimal are given the ground, the plane y = 0.
+    of the viewer's planes. PlaneOptimal and Ogre-PlaneOptimal are given the ground, the plane
+    y = 0.
 */
 const std::vector<NamedSetup>& shadowSetups();
 
@@ -49,7 +49,5 @@ const NamedSetup* findEmulatedSetup(const std::string& name);
 NamedSetup withOptions(const NamedSetup& setup, const std::vector<std::string>& assignments);
 /// What is wrong with such assignments, and the options that there are; empty where all are right.
 std::string wrongAssignment(const NamedSetup& setup, const std::vector<std::string>& assignments);
-/// The options of one of Lixel's setups, and their values, in lines; empty for OGRE's own.
-std::string describeOptions(const NamedSetup& setup);
 
 } // namespace Lixel::Samples

@@ -118,7 +118,7 @@ private:
     Matrix4d mWsFromClip;
 };
 
-void requireDirection(const OracleLight& light) {
+void requireValid(const OracleLight& light) {
     const bool needed = light.kind != OracleLight::Kind::Point;
     if (needed && !(std::abs(light.direction.norm() - 1.0) < 1e-3))
         throw std::invalid_argument("ShadowOracle: a light's direction must have unit length");
@@ -309,7 +309,7 @@ ShadowTruth ShadowOracle::classify(const OracleView& view, const OracleLight& li
 
 ShadowTruth ShadowOracle::classify(const VisiblePoints& points, const OracleView& view,
                                    const OracleLight& light) const {
-    requireDirection(light);
+    requireValid(light);
     ShadowTruth truth{points.width, points.height, {}};
     truth.pixels.resize(points.pixels.size(), PixelClass::Background);
     forEachPart(points.pixels.size(), static_cast<std::size_t>(points.width),

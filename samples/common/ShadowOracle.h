@@ -45,7 +45,6 @@ struct OracleLight {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     /// Directional and spot: unit vector along which light travels.
     Eigen::Vector3d direction = -Eigen::Vector3d::UnitY();
-    double innerAngle = 0.0; ///< spot: full angle of the inner cone, radians; decides nothing here
     double outerAngle = 0.0; ///< spot: full angle of the outer cone, radians
     /// Spot and point: world units that light reaches.
     double range = std::numeric_limits<double>::infinity();

@@ -108,13 +108,11 @@ void Stage::furnish() {
     setShadowMapSize(1024);
 }
 
-Stage::~Stage() {
-    mRoot.reset();
-    mLogManager.reset();
-    if (mGlfwWindow != nullptr) {
-        glfwDestroyWindow(mGlfwWindow);
-        glfwTerminate();
-    }
+Stage::~Stage() = default;
+
+void Stage::CloseGlfwWindow::operator()(GLFWwindow* window) const {
+    glfwDestroyWindow(window);
+    glfwTerminate();
 }
 
 void Stage::openWindow(const StageOptions& options) {
@@ -127,10 +125,13 @@ void Stage::openWindow(const StageOptions& options) {
             throw std::runtime_error("no window can be opened: is DISPLAY set to an X server?");
         // OGRE makes its own context in our window.
         glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-        mGlfwWindow = glfwCreateWindow(options.width, options.height, options.title.c_str(),
-                                       nullptr, nullptr);
-        if (mGlfwWindow == nullptr) throw std::runtime_error("GLFW could not open a window");
-        parameters["parentWindowHandle"] = std::to_string(glfwGetX11Window(mGlfwWindow));
+        mGlfwWindow.reset(glfwCreateWindow(options.width, options.height, options.title.c_str(),
+                                           nullptr, nullptr));
+        if (!mGlfwWindow) {
+            glfwTerminate();
+            throw std::runtime_error("GLFW could not open a window");
+        }
+        parameters["parentWindowHandle"] = std::to_string(glfwGetX11Window(mGlfwWindow.get()));
     }
     mWindow = mRoot->createRenderWindow(options.title, static_cast<unsigned>(options.width),
                                         static_cast<unsigned>(options.height), false, &parameters);
@@ -138,7 +139,7 @@ void Stage::openWindow(const StageOptions& options) {
 
 void Stage::show(const SampleScene& scene) {
     scene.build(*mSceneManager);
-    // What is measured in the first frames is as good as what comes later.
+    // Read mesh shapes now, so early frames are fitted as well as later ones.
     for (const auto& [name, object] : mSceneManager->getMovableObjects("Entity"))
         Lixel::prepareMesh(static_cast<Ogre::Entity*>(object)->getMesh());
     mSceneManager->setAmbientLight(scene.ambient);

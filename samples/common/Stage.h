@@ -42,7 +42,7 @@ public:
     Ogre::Camera& camera() { return *mCamera; }
     Ogre::Light& light() { return *mLight; }
     /// Null when headless.
-    GLFWwindow* glfwWindow() { return mGlfwWindow; }
+    GLFWwindow* glfwWindow() { return mGlfwWindow.get(); }
 
     /// Builds the scene, with additive texture shadows and Lixel's caster and receiver.
     void show(const SampleScene& scene);
@@ -51,8 +51,8 @@ public:
     void setShadowSetup(const Ogre::ShadowCameraSetupPtr& setup);
     void setShadowMapSize(int texels);
 
-    /// Begins anew, with a scene manager of the same type. Its scene, camera, viewport and light go,
-    /// and all meshes.
+    /// Begins anew, with a scene manager of the same type. Its scene, camera, viewport and light
+    /// go, and all meshes.
     void clear();
 
     /// Draws one frame; where there is a window, shows it.
@@ -76,7 +76,13 @@ private:
     void furnish();
     void openWindow(const StageOptions& options);
 
-    GLFWwindow* mGlfwWindow = nullptr;
+    /// Ends GLFW, too.
+    struct CloseGlfwWindow {
+        void operator()(GLFWwindow* window) const;
+    };
+
+    // The window outlives what OGRE draws into it, also where the constructor throws.
+    std::unique_ptr<GLFWwindow, CloseGlfwWindow> mGlfwWindow;
     std::unique_ptr<Ogre::LogManager> mLogManager;
     std::unique_ptr<Ogre::Root> mRoot;
     Ogre::RenderWindow* mWindow = nullptr;

@@ -1,9 +1,10 @@
 #include "common/Surface.h"
 
+#include "common/Random.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace Lixel::Samples {
@@ -19,10 +20,10 @@ std::size_t texel(int x, int y) {
 }
 
 /// Tiling noise in [0, 1]: random values on a lattice of `cells`, smoothly between.
-Grey latticeNoise(int cells, std::mt19937& random) {
+Grey latticeNoise(int cells, Random& random) {
     std::vector<float> lattice(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells));
     for (float& value : lattice)
-        value = static_cast<float>(random() >> 8U) / static_cast<float>(1U << 24U);
+        value = random.between(0.0F, 1.0F);
     const auto at = [&](int x, int y) {
         return lattice[static_cast<std::size_t>(y % cells) * static_cast<std::size_t>(cells) +
                        static_cast<std::size_t>(x % cells)];
@@ -44,7 +45,7 @@ Grey latticeNoise(int cells, std::mt19937& random) {
 }
 
 Grey grain() {
-    std::mt19937 random(7);
+    Random random(7);
     Grey sum(Texels, 0.0F);
     float weight = 0.36F;
     for (const int cells : {4, 16, 64, 256}) {

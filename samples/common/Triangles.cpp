@@ -1,6 +1,7 @@
 #include "common/Triangles.h"
 
 #include <Lixel/scene/MeshBuffers.h>
+#include <Lixel/scene/OgreMath.h>
 
 #include <Ogre.h>
 
@@ -10,12 +11,8 @@ namespace {
 /// Float world matrix as OGRE hands it to the GPU, taken relative to an origin in double.
 Eigen::Affine3d relativeTransform(const Ogre::Matrix4& wsFromObject,
                                   const Eigen::Vector3d& origin) {
-    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column)
-            transform.linear()(row, column) = static_cast<double>(wsFromObject[row][column]);
-        transform.translation()(row) = static_cast<double>(wsFromObject[row][3]) - origin(row);
-    }
+    Eigen::Affine3d transform(toDouble(wsFromObject));
+    transform.pretranslate(-origin);
     return transform;
 }
 

@@ -42,7 +42,7 @@ std::vector<NamedSetup> setupsToTry() {
 GeometricMean meanError(const SomeCases& cases, std::size_t setup) {
     std::vector<double> errors;
     for (const TableCase* one : cases)
-        errors.push_back(errorOf(*one, setup));
+        errors.push_back(errorForRatio(*one, setup));
     return geometricMean(errors);
 }
 
@@ -63,8 +63,7 @@ void printBestXpsm(TableOptions options) {
     // The best of each scene becomes one more column.
     for (TableCase& one : cases)
         one.errors.push_back({});
-    const SomeCases telling = casesWhere(
-        cases, [](const TableCase& one) { return one.errors[Uniform].error >= LeastBaseline; });
+    const SomeCases telling = tellingCases(cases, Uniform);
 
     fmt::print("XPSM with the constants (strength, epsilonW) that are best for each scene, of {}: "
                "geometric means of errors in %\n\n{:<12} {:>5} {:>8} {:>8} {:>8} {:>8}  {}\n",
@@ -79,23 +78,20 @@ void printBestXpsm(TableOptions options) {
         const std::size_t best = bestFor(scene, count);
         for (TableCase& one : cases)
             if (one.scene == first.scene) one.errors.back() = one.errors[best];
-        fmt::print("{:<12} {:>5} {:>8.4f} {:>8.4f} {:>8.4f} {:>8.4f}  {}\n", first.scene,
-                   scene.size(), meanError(scene, Uniform).mean, meanError(scene, Default).mean,
-                   meanError(scene, best).mean, meanError(scene, Optimal).mean,
-                   options.setups[best].name);
+        fmt::print("{:<12} {:>5}", first.scene, scene.size());
+        for (const std::size_t setup :
+             {std::size_t{Uniform}, std::size_t{Default}, best, std::size_t{Optimal}})
+            fmt::print(" {:>8}", describePercent(meanError(scene, setup)));
+        // Without a case, none of the constants is the best.
+        fmt::print("  {}\n", scene.empty() ? "-" : options.setups[best].name);
     }
 
-    const std::array<std::pair<const char*, SomeCases>, 4> groups{
-        {{"all", telling},
-         {"suns", among(telling, [](const TableCase& one) { return one.sun; })},
-         {"duels", among(telling, isDuel)},
-         {"lamps", among(telling, [](const TableCase& one) { return !one.sun; })}}};
     const std::size_t anywhere = bestFor(telling, count);
     fmt::print("\nRatio of Optimal: paired geometric mean with its 95 % interval; the one set of "
                "constants that is best over all scenes is {}\n\n{:<8} {:>5} {:>22} {:>22} {:>22}\n",
-               options.setups[anywhere].name, "", "cases", "to the best of a scene",
-               "to the best of all", "to XPSM");
-    for (const auto& [name, some] : groups)
+               telling.empty() ? "-" : options.setups[anywhere].name, "", "cases",
+               "to the best of a scene", "to the best of all", "to XPSM");
+    for (const auto& [name, some] : groupsOf(telling))
         fmt::print("{:<8} {:>5} {:>22} {:>22} {:>22}\n", name, some.size(),
                    describe(ratioOf(some, Optimal, count)),
                    describe(ratioOf(some, Optimal, anywhere)),

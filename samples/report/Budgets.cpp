@@ -1,5 +1,7 @@
 #include "report/Budgets.h"
 
+#include "common/Median.h"
+
 #include <Lixel/fit/core/FitState.h>
 #include <Lixel/fit/technique/Optimal.h>
 
@@ -9,13 +11,14 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <numbers>
 
 namespace Lixel::Samples {
 namespace {
 
-/// Frames in which the viewer turns to where it looks, and by how much in each: 12° in a second.
+/// The viewer turns to where it looks in 30 frames of 0.2°; 12° per second at 60 Hz.
 constexpr int Frames = 30;
 constexpr double TurnPerFrame = 0.2 * std::numbers::pi / 180.0;
 
@@ -87,13 +90,6 @@ private:
     std::shared_ptr<std::vector<double>> mMicroseconds;
 };
 
-double medianOf(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 } // namespace
 
 void printBudgets(TableOptions options) {
@@ -117,7 +113,7 @@ void printBudgets(TableOptions options) {
     for (std::size_t i = 0; i < all.size(); ++i)
         fmt::print("{:>7} {:>11}  {:<8} {:>24} {:>11.1f} µs\n", all[i].options.samples,
                    all[i].options.evaluations, all[i].follows ? "follows" : "cold",
-                   describeRatio(cases, i, 0), medianOf(*times[i]));
+                   describeRatio(cases, i, 0), median(*times[i]));
 }
 
 } // namespace Lixel::Samples

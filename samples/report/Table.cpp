@@ -31,33 +31,24 @@ SomeCases casesOf(const std::vector<TableCase>& cases, const std::string& scene)
     return casesWhere(cases, [&](const TableCase& one) { return one.scene == scene; });
 }
 
-/// Cases in which the baseline errs enough for a ratio to say something.
-SomeCases tellingCases(const std::vector<TableCase>& cases, std::size_t baseline) {
-    return casesWhere(
-        cases, [&](const TableCase& one) { return one.errors[baseline].error >= LeastBaseline; });
-}
-
 /// The second half of the table.
 void printRatios(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
                  std::size_t baseline) {
     const SomeCases telling = tellingCases(cases, baseline);
-    const auto suns = among(telling, [](const TableCase& one) { return one.sun; });
-    const auto lamps = among(telling, [](const TableCase& one) { return !one.sun; });
-    const auto duels = among(telling, isDuel);
+    const std::array<CaseGroup, 4> groups = groupsOf(telling);
 
     fmt::print(
         "\nRatio to {}: paired geometric mean with its 95 % interval. {} cases of {} are left "
         "out, in which it errs less than {} %\n\n{:<20}",
         setups[baseline].name, cases.size() - telling.size(), cases.size(), LeastBaseline, "setup");
-    for (const auto& [name, some] : {std::pair("", &telling), std::pair(" suns", &suns),
-                                     std::pair(" duels", &duels), std::pair(" lamps", &lamps)})
-        fmt::print(" {:>24}", *name == 0 ? fmt::format("all {}", some->size())
-                                         : fmt::format("{}{}", some->size(), name));
+    for (const auto& [name, some] : groups)
+        fmt::print(" {:>24}", name == "all" ? fmt::format("all {}", some.size())
+                                            : fmt::format("{} {}", some.size(), name));
     fmt::print("\n");
     for (std::size_t i = 0; i < setups.size(); ++i) {
         fmt::print("{:<20}", setups[i].name);
-        for (const auto* some : {&telling, &suns, &duels, &lamps})
-            fmt::print(" {:>24}", describe(ratioOf(*some, i, baseline)));
+        for (const CaseGroup& group : groups)
+            fmt::print(" {:>24}", describe(ratioOf(group.cases, i, baseline)));
         fmt::print("\n");
     }
 }
@@ -128,18 +119,26 @@ SomeCases among(const SomeCases& cases, const std::function<bool(const TableCase
     return some;
 }
 
-bool isDuel(const TableCase& one) {
-    return one.scene == DuelScene;
+SomeCases tellingCases(const std::vector<TableCase>& cases, std::size_t baseline) {
+    return casesWhere(
+        cases, [&](const TableCase& one) { return one.errors[baseline].error >= LeastBaseline; });
 }
 
-double errorOf(const TableCase& one, std::size_t setup) {
+std::array<CaseGroup, 4> groupsOf(const SomeCases& cases) {
+    return {{{"all", cases},
+             {"suns", among(cases, [](const TableCase& one) { return one.sun; })},
+             {"duels", among(cases, [](const TableCase& one) { return one.scene == DuelScene; })},
+             {"lamps", among(cases, [](const TableCase& one) { return !one.sun; })}}};
+}
+
+double errorForRatio(const TableCase& one, std::size_t setup) {
     return one.errors[setup].error + 50.0 / static_cast<double>(one.errors[setup].counted());
 }
 
 GeometricMean ratioOf(const SomeCases& cases, std::size_t setup, std::size_t baseline) {
     std::vector<double> ratios;
     for (const TableCase* one : cases)
-        ratios.push_back(errorOf(*one, setup) / errorOf(*one, baseline));
+        ratios.push_back(errorForRatio(*one, setup) / errorForRatio(*one, baseline));
     return geometricMean(ratios);
 }
 
@@ -147,6 +146,10 @@ std::string describe(const GeometricMean& mean) {
     return mean.count == 0
                ? "-"
                : fmt::format("{:.3f} [{:.3f}, {:.3f}]", mean.mean, mean.lower, mean.upper);
+}
+
+std::string describePercent(const GeometricMean& mean) {
+    return mean.count == 0 ? "-" : fmt::format("{:.4f}", mean.mean);
 }
 
 void printTable(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,

@@ -4,6 +4,7 @@
 #include "common/Setups.h"
 #include "common/TruthComparison.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -53,15 +54,27 @@ using SomeCases = std::vector<const TableCase*>;
 SomeCases casesWhere(const std::vector<TableCase>& cases,
                      const std::function<bool(const TableCase&)>& filter);
 SomeCases among(const SomeCases& cases, const std::function<bool(const TableCase&)>& filter);
-/// Whether a case belongs to the scene whose cases are shown apart.
-bool isDuel(const TableCase& one);
+
+/// Cases in which the baseline errs enough for a ratio to say something: LeastBaseline or more.
+SomeCases tellingCases(const std::vector<TableCase>& cases, std::size_t baseline);
+
+/// Cases whose ratios are shown together.
+struct CaseGroup {
+    std::string name;
+    SomeCases cases;
+};
+/// "all" of some cases, and among them "suns", "duels" (suns, too) and "lamps".
+std::array<CaseGroup, 4> groupsOf(const SomeCases& cases);
 
 /// A case's error in percent, and half a pixel.
-double errorOf(const TableCase& one, std::size_t setup);
+double errorForRatio(const TableCase& one, std::size_t setup);
 /// The paired mean of one setup's errors over another's, by their indices.
 GeometricMean ratioOf(const SomeCases& cases, std::size_t setup, std::size_t baseline);
 /// Such as "0.950 [0.890, 1.020]"; "-" of no cases.
 std::string describe(const GeometricMean& mean);
+
+/// Such as "0.9500", a mean of errors in percent; "-" of no cases.
+std::string describePercent(const GeometricMean& mean);
 
 /// A setup's errors relative to a baseline's, as printTable has them over all cases, for people.
 std::string describeRatio(const std::vector<TableCase>& cases, std::size_t setup,

@@ -1,6 +1,7 @@
 // lixel-report: how wrong one shadow setup is beside another, or all are, over all samples.
 
 #include "common/Comparison.h"
+#include "common/Names.h"
 #include "common/Setups.h"
 #include "report/BestXpsm.h"
 #include "report/Budgets.h"
@@ -45,14 +46,14 @@ std::vector<ComparedCase> compareScene(const std::string& name, const Options& o
                          });
 }
 
-/// All setups in one table, or one of them with all it may spend. @return the program's exit status
+/// Runs --table, --budgets or --best-xpsm. @return the program's exit status
 int makeTable(const Options& options) {
     const std::vector<NamedSetup>& setups = emulatedSetups();
     const auto baseline = std::find_if(setups.begin(), setups.end(), [&](const NamedSetup& setup) {
         return setup.name == options.baseline;
     });
     if (baseline == setups.end()) {
-        fmt::print(stderr, "lixel-report: there is no setup '{}'\n", options.baseline);
+        fmt::print(stderr, "lixel-report: {}\n", noneOfThatName("setup", options.baseline, setups));
         return 2;
     }
     TableOptions table;
@@ -85,25 +86,31 @@ int main(int argc, char** argv) {
     CLI::App app{"Compares the errors of two shadow setups over all samples, on maps sized so that "
                  "the baseline errs 1 to 5 %; or of all setups, on maps of one size."};
     app.add_option("--setup", options.setup, "Setup to judge");
-    app.add_option("--set", options.assignments,
-                   "An option of the setup to judge, KEYWORD=VALUE; may be given several times");
+    auto* const assignments = app.add_option(
+        "--set", options.assignments,
+        "An option of the setup to judge, KEYWORD=VALUE; may be given several times");
     app.add_option("--baseline", options.baseline, "Setup to compare it with");
     app.add_option("--scene", options.modelFile, "A model file as one more scene");
-    app.add_option("--lights", options.lights, "Lights of each scene");
+    app.add_option("--lights", options.lights, "Lights of each scene")->check(CLI::PositiveNumber);
     app.add_flag("--first-view", options.firstView, "The first view of each scene alone");
-    app.add_flag("--table", options.table,
-                 "All setups in one table, by emulation, without drawing");
+    // They judge no one setup.
+    auto* const table = app.add_flag("--table", options.table,
+                                     "All setups in one table, by emulation, without drawing")
+                            ->excludes(assignments);
     app.add_flag("--budgets", options.budgets,
-                 "Optimal alone, by samples and evaluations, with its time, by emulation");
-    app.add_option("--cases", options.casesFile, "With --table: a file for every case's errors");
+                 "Optimal alone, by samples and evaluations, with its time, by emulation")
+        ->excludes(assignments);
     app.add_flag(
-        "--best-xpsm", options.bestXpsm,
-        "Optimal beside XPSM with the constants that are best for each scene, by emulation");
+           "--best-xpsm", options.bestXpsm,
+           "Optimal beside XPSM with the constants that are best for each scene, by emulation")
+        ->excludes(assignments);
+    app.add_option("--cases", options.casesFile, "With --table: a file for every case's errors")
+        ->needs(table);
     CLI11_PARSE(app, argc, argv);
     if (options.table || options.bestXpsm || options.budgets) return makeTable(options);
     for (const std::string& name : {options.setup, options.baseline}) {
         if (findShadowSetup(name) == nullptr) {
-            fmt::print(stderr, "lixel-report: there is no setup '{}'\n", name);
+            fmt::print(stderr, "lixel-report: {}\n", noneOfThatName("setup", name, shadowSetups()));
             return 2;
         }
     }

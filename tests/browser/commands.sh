@@ -68,6 +68,11 @@ refuses 1 "no window can be opened" --sample duel
 printf 'this is no model' >broken.gltf
 refuses 1 "broken.gltf" --headless --scene broken.gltf
 refuses 1 "missing.obj" --headless --scene missing.obj
+printf 'newmtl a\nmap_Kd missing.png\n' >plain.mtl
+printf 'mtllib plain.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n' >plain.obj
+printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >>plain.obj
+"$browser" --headless --scene plain.obj --map 64 --size 32x32 --frames 1 >out 2>&1
+grep -q "texture 'missing.png' cannot be read" out || fail "an unreadable texture goes unsaid"
 refuses 1 "could not be written" --headless --sample duel --map 64 --size 32x32 --frames 1 \
     --output no/such/folder.png
 echo "All setups draw; wrong names, sizes, lights, views and files are refused with a reason."

@@ -112,7 +112,6 @@ OracleLight spot(const Vector3d& position, const Vector3d& target, double outerA
     light.kind = OracleLight::Kind::Spot;
     light.position = position;
     light.direction = (target - position).normalized();
-    light.innerAngle = 0.8 * outerAngle;
     light.outerAngle = outerAngle;
     return light;
 }

@@ -1,6 +1,8 @@
 // The samples' scenes and models: sound meshes, sensible views, and triangles as OGRE has them.
 // Nothing is drawn: meshes live in system memory.
 
+#include "TestStage.h"
+
 #include "common/MeshBuilder.h"
 #include "common/ModelFile.h"
 #include "common/OracleView.h"
@@ -570,6 +572,19 @@ TEST_F(ModelFileTest, TwoSidedMaterialsGetBackSides) {
     const std::string path = write("sheet.gltf", gltf("", "", R"({"doubleSided":true})"));
     importModel(*scene, *scene->getRootSceneNode(), path);
     EXPECT_EQ(corners(*scene).size(), 6U);
+}
+
+TEST_F(ModelFileTest, ATextureThatCannotBeReadIsSaidOnceWhoeverSharesIt) {
+    write("cube.mtl", "newmtl a\nmap_Kd missing.png\nnewmtl b\nmap_Kd missing.png\n");
+    const std::string path =
+        write("cube.obj", "mtllib cube.mtl\nusemtl a\n" + Cube + "usemtl b\nf 2 3 7 6\n");
+    const ImportedModel model = importModel(*scene, *scene->getRootSceneNode(), path);
+    ASSERT_EQ(model.notes.size(), 1U);
+    EXPECT_NE(model.notes.front().find("'missing.png' cannot be read"), std::string::npos);
+
+    const Tests::LogCollector log;
+    modelScene(path).build(*scene);
+    EXPECT_EQ(log.count("cube.obj': texture 'missing.png' cannot be read"), 1U) << log.all();
 }
 
 TEST_F(ModelFileTest, WhatIsWrongIsSaid) {

@@ -1,0 +1,33 @@
+#!/bin/sh
+# The report's command line: report.sh REPORT. Everything here is refused before anything is drawn.
+set -eu
+report=$1
+unset DISPLAY
+
+# refuses STATUS TEXT OPTIONS…: the report must end with that status and say that text.
+refuses() {
+    status=$1 text=$2
+    shift 2
+    actual=0
+    said=$("$report" "$@" 2>&1) || actual=$?
+    case "$actual $said" in
+    "$status "*"$text"*) ;;
+    *)
+        printf 'FAILED: %s\n' "status $actual, not $status with '$text', for: $*: $said" >&2
+        exit 1
+        ;;
+    esac
+}
+
+refuses 105 "--lights" --lights 0
+refuses 105 "--lights" --table --lights 0
+for mode in --table --budgets --best-xpsm; do
+    refuses 108 "--set" $mode --set strength=1
+done
+refuses 107 "--table" --cases cases.csv
+refuses 107 "--table" --budgets --cases cases.csv
+refuses 2 "there are: Uniform" --setup Magic
+refuses 2 "there are: Uniform" --baseline Magic
+refuses 2 "Cascades-3" --table --baseline Magic
+refuses 2 "strength: '-1' is not a number, at least 0" --setup XPSM --set strength=-1
+echo "Wrong names, values and combinations of options are refused with a reason."
