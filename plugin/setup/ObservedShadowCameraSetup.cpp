@@ -11,9 +11,11 @@
 #include <OgreException.h>
 #include <OgreLight.h>
 #include <OgreSceneManager.h>
+#include <OgreStringConverter.h>
 #include <OgreViewport.h>
 
 #include <chrono>
+#include <cmath>
 
 namespace Lixel {
 namespace {
@@ -53,6 +55,11 @@ ObservedShadowCameraSetup::ObservedShadowCameraSetup(const Ogre::ShadowCameraSet
     if (!inner)
         OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
                     "inner: there is no setup to observe in a null pointer",
+                    "ObservedShadowCameraSetup::create");
+    if (!std::isfinite(depthBias) || depthBias < 0)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                    "depthBias: a number of world units, at least 0, not " +
+                        Ogre::StringConverter::toString(depthBias),
                     "ObservedShadowCameraSetup::create");
 }
 

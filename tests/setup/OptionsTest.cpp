@@ -276,6 +276,13 @@ TEST(Options, Cascades) {
 }
 
 TEST(Options, NothingToObserve) {
+    for (const float bias : {NaN, Infinity, -1.0F})
+        EXPECT_NE(refusal([&] {
+                      ObservedShadowCameraSetup::create(Ogre::DefaultShadowCameraSetup::create(),
+                                                        bias);
+                  }).find("depthBias"),
+                  std::string::npos)
+            << bias;
     EXPECT_NE(refusal([] { ObservedShadowCameraSetup::create({}); }).find("inner"),
               std::string::npos);
 }
