@@ -151,7 +151,8 @@ void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
         say("material " + quoted(materialOf(pass)) +
             " reads no shadow map, so nothing casts shadows on it: under an integrated shadow "
             "technique use Lixel/Surface/Integrated, or give it texture units of content_type "
-            "shadow and LixelShadow.glsl; or say receive_shadows off" +
+            "shadow and LixelShadow.glsl; where OGRE's shader system makes its programs, "
+            "Lixel::ShaderSystem::enable; or say receive_shadows off" +
             Manual);
 }
 

@@ -44,6 +44,10 @@ void NoMapsCheck::check() {
     const auto hasSetup = [this](const Ogre::Light* light) {
         return light->getCastShadows() && hasLixelsSetup(*light, mManager);
     };
+    const auto hasTexturesOfItsType = [this](const Ogre::Light* light) {
+        return light->getCastShadows() &&
+               mManager.getShadowTextureCountPerLightType(light->getType()) > 0;
+    };
     if (std::none_of(lights.begin(), lights.end(), casts) || !drawsLixelsMaterials()) return;
     const std::string name = "'" + mManager.getName() + "'";
     if (!hasTextures) {
@@ -53,6 +57,11 @@ void NoMapsCheck::check() {
             " has no shadow textures, so no light casts shadows there: "
             "SceneManager::setShadowTextureSettings(1024, 1, PF_FLOAT32_R), with one for each "
             "light");
+    } else if (std::none_of(lights.begin(), lights.end(), hasTexturesOfItsType)) {
+        mSaidNoSetup = true;
+        logWarning("scene manager " + name +
+                   " has no shadow textures for lights of the types that cast shadows there: "
+                   "SceneManager::setShadowTextureCountPerLightType");
     } else if (std::none_of(lights.begin(), lights.end(), hasSetup)) {
         mSaidNoSetup = true;
         logWarning(

@@ -29,7 +29,7 @@ private:
     /// Drawn since a map was fitted.
     unsigned mViews = 0;
     bool mSaidNoTextures = false;
-    bool mSaidNoSetup = false;
+    bool mSaidNoSetup = false; ///< or none of the lights' types
 };
 
 } // namespace Lixel

@@ -71,6 +71,18 @@ TEST(NoMaps, AreNamedWithTheTexturesThatAreMissing) {
     }
 }
 
+TEST(NoMaps, AreNamedWhereTheLightsTypeHasNone) {
+    MaterialScene scene(IntegratedTechnique, "");
+    LogCollector log;
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    for (const auto type : {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT})
+        manager.setShadowTextureCountPerLightType(type, 0);
+    scene.wear("Lixel/Surface/Integrated");
+    drawFor(scene);
+    EXPECT_EQ(log.count("has no shadow textures for lights of the types"), 1U) << log.all();
+    EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
+}
+
 TEST(NoMaps, AreNoNewsWhereNoShadowsAreWanted) {
     SceneWithoutSetups scene(AdditiveTechnique, "Lixel/Receiver");
     LogCollector log;
