@@ -30,9 +30,11 @@ public:
     void write(const std::string& file, const std::string& text) const {
         std::ofstream(mFolder / file) << text;
     }
-    /// Has OGRE read the files that were written so far.
+    void remove(const std::string& file) const { std::filesystem::remove(mFolder / file); }
+    /// Has OGRE read the files that were written so far, into a group of the global pool.
     void parse() const {
         auto& groups = Ogre::ResourceGroupManager::getSingleton();
+        groups.createResourceGroup(Group, true);
         groups.addResourceLocation(mFolder.string(), "FileSystem", Group);
         groups.initialiseResourceGroup(Group);
     }

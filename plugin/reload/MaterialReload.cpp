@@ -55,10 +55,11 @@ private:
 /// What is wrong with the structure of a script, which OGRE's parser may not survive.
 std::optional<std::string> faultOf(const Ogre::String& text, const Ogre::String& file,
                                    const Ogre::String& group) {
-    auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    // As OGRE's compiler looks for what is imported: in other groups too.
     const auto read = [&](const std::string& name) -> std::optional<std::string> {
-        if (!groups.resourceExists(group, name)) return std::nullopt;
-        return textOf(name, group);
+        const Ogre::DataStreamPtr stream =
+            Ogre::ResourceGroupManager::getSingleton().openResource(name, group, nullptr, false);
+        return stream ? std::optional<std::string>(stream->getAsString()) : std::nullopt;
     };
     const std::optional<ScriptFault> fault = findScriptFault(text, file, read);
     if (!fault) return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include <OgreException.h>
 #include <OgreResourceGroupManager.h>
+#include <OgreRoot.h>
 
 #include <algorithm>
 #include <iterator>
@@ -30,6 +31,8 @@ void removeReloadListener(ReloadListener& listener) {
 }
 
 std::vector<std::string> reload(const Ogre::String& group) {
+    if (Ogre::Root::getSingletonPtr() == nullptr)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALID_STATE, "there is no Ogre::Root", "Lixel::reload");
     if (!Ogre::ResourceGroupManager::getSingleton().resourceGroupExists(group))
         OGRE_EXCEPT(Ogre::Exception::ERR_ITEM_NOT_FOUND,
                     "group: there is no resource group '" + group + "'", "Lixel::reload");
@@ -41,9 +44,8 @@ std::vector<std::string> reload(const Ogre::String& group) {
                                               listener->materialChanges(material);
                                       }),
                       std::back_inserter(errors));
-    const std::size_t wrong = ShadowCameraSetupManager::getSingleton().reload(group);
-    if (wrong > 0)
-        errors.push_back(std::to_string(wrong) + " errors in .shadow files, which are in the log");
+    std::ranges::move(ShadowCameraSetupManager::getSingleton().reload(group),
+                      std::back_inserter(errors));
     return errors;
 }
 

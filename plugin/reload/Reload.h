@@ -27,6 +27,7 @@ namespace Lixel {
 
     @return what is wrong, a line each, which the log has too; empty where all was read
     @throws Ogre::ItemIdentityException where there is no such group
+    @throws Ogre::InvalidStateException where there is no Root, or the plugin is not loaded
 */
 LIXEL_API std::vector<std::string> reload(const Ogre::String& group);
 

@@ -1,5 +1,7 @@
 #include "reload/ScriptEdit.h"
 
+#include "script/ShadowCameraSetupManager.h"
+
 #include <OgreGpuProgramManager.h>
 #include <OgreMaterialManager.h>
 #include <OgreTechnique.h>
@@ -64,7 +66,7 @@ std::vector<std::string> ScriptEdit::parse(const Ogre::String& text, const Ogre:
         Ogre::String own = text;
         Ogre::DataStreamPtr stream =
             std::make_shared<Ogre::MemoryDataStream>(file, own.data(), own.size(), false, true);
-        Ogre::ScriptCompilerManager::getSingleton().parseScript(stream, group);
+        ShadowCameraSetupManager::getSingleton().parseMaterialsAgain(stream, group);
     };
     once();
     // Lines of parameters are about the uniforms that a program had when it was compiled.
@@ -171,7 +173,7 @@ void ScriptEdit::undo() {
         Ogre::GpuProgram& program = *before.program;
         const bool changed = hasChanged(before);
         for (const auto& [setting, value] : before.settings)
-            program.setParameter(setting, value);
+            if (program.getParameter(setting) != value) program.setParameter(setting, value);
         if (changed) {
             program.setSourceFile(before.sourceFile);
             if (before.wasLoaded) loadAgain(program);

@@ -25,15 +25,22 @@ public:
     explicit Attempt(const Ogre::GpuProgram& program)
         : mMade(createProgram(program.getName() + "/Lixel/Attempt", program.getGroup(),
                               program.getLanguage(), program.getType())) {
-        program.copyParametersTo(mMade.get());
+        // Only what it has: OGRE warns of settings that are deprecated.
+        for (const Ogre::ParameterDef& setting : program.getParameters())
+            if (mMade->getParameter(setting.name) != program.getParameter(setting.name))
+                mMade->setParameter(setting.name, program.getParameter(setting.name));
         mMade->setSourceFile(program.getSourceFile());
-        mMade->load();
+        try {
+            mMade->load();
+        } catch (const Ogre::Exception&) {
+            // A file is missing. It is in the log.
+        }
     }
     ~Attempt() { programManager().remove(mMade); }
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
 
-    bool compiles() const { return !mMade->hasCompileError(); }
+    bool compiles() const { return mMade->isLoaded() && !mMade->hasCompileError(); }
     const Ogre::String& text() const { return mMade->getSource(); }
 
 private:
@@ -50,8 +57,8 @@ std::vector<std::string> reloadShaders(const Ogre::String& group) {
         const Attempt attempt(*program);
         if (!attempt.compiles())
             errors.push_back("program '" + program->getName() + "': " + program->getSourceFile() +
-                             " does not compile, or what it includes; the program stays as it was "
-                             "(the compiler's lines are in the log)");
+                             " does not compile, or a file is missing; the program stays as it was "
+                             "(the log has more)");
         else if (attempt.text() != program->getSource())
             program->reload();
     }

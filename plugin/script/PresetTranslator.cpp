@@ -44,11 +44,11 @@ void PresetTranslator::beginFile(const std::string& file) {
     mErrors = std::make_unique<ScriptErrors>();
 }
 
-std::size_t PresetTranslator::endFile() {
+std::vector<std::string> PresetTranslator::endFile() {
     mFile.clear();
-    const std::size_t count = mErrors->count();
+    std::vector<std::string> lines = mErrors->lines();
     mErrors.reset();
-    return count;
+    return lines;
 }
 
 Ogre::ScriptTranslator* PresetTranslator::getTranslator(const Ogre::AbstractNodePtr& node) {

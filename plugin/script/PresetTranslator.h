@@ -18,8 +18,8 @@ class PresetTranslator : public Ogre::ScriptTranslatorManager, public Ogre::Scri
 public:
     /// From here on until the file ends, a preset that this file defined before is defined anew.
     void beginFile(const std::string& file);
-    /// @return how many errors there were in it
-    std::size_t endFile();
+    /// @return its errors, a line each
+    std::vector<std::string> endFile();
 
     Ogre::ScriptTranslator* getTranslator(const Ogre::AbstractNodePtr& node) override;
     void translate(Ogre::ScriptCompiler* compiler, const Ogre::AbstractNodePtr& node) override;

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <set>
 #include <typeinfo>
 #include <vector>
@@ -35,7 +36,15 @@ struct Binding {
     std::string group;
     /// What it was given. Where it has another by now, an application took the preset off.
     Ogre::ShadowCameraSetupPtr setup;
+    /// How far its shadows reached before a preset said so; none while none has.
+    std::optional<Ogre::Real> distanceBefore;
 };
+
+/// What is bound there now, if anything is.
+std::optional<Binding> bindingAt(const Ogre::UserObjectBindings& bindings) {
+    const Ogre::Any& any = bindings.getUserAny(BindingKey);
+    return any.has_value() ? std::optional(Ogre::any_cast<Binding>(any)) : std::nullopt;
+}
 
 Ogre::UserObjectBindings& bindingsOf(Ogre::SceneManager& sceneManager, Ogre::Light* light) {
     return light != nullptr ? light->getUserObjectBindings()
@@ -50,14 +59,12 @@ const Ogre::ShadowCameraSetupPtr& setupOf(Ogre::SceneManager& sceneManager, Ogre
 /// Adds the preset that is bound there, if there still is one of that name.
 void addBound(Ogre::SceneManager& sceneManager, Ogre::Light* light,
               std::vector<PresetUser>& users) {
-    const Ogre::Any& any = bindingsOf(sceneManager, light).getUserAny(BindingKey);
-    if (!any.has_value()) return;
-    const auto binding = Ogre::any_cast<Binding>(any);
-    if (binding.setup != setupOf(sceneManager, light)) return;
+    const std::optional<Binding> binding = bindingAt(bindingsOf(sceneManager, light));
+    if (!binding || binding->setup != setupOf(sceneManager, light)) return;
     // OGRE throws where it is asked for a group that is gone.
-    if (!Ogre::ResourceGroupManager::getSingleton().resourceGroupExists(binding.group)) return;
+    if (!Ogre::ResourceGroupManager::getSingleton().resourceGroupExists(binding->group)) return;
     if (const ShadowPresetPtr preset =
-            ShadowCameraSetupManager::findByName(binding.preset, binding.group))
+            ShadowCameraSetupManager::findByName(binding->preset, binding->group))
         users.push_back({preset.get(), light});
 }
 
@@ -177,21 +184,46 @@ std::size_t texturesFor(const Change& change) {
                      sceneManager.getShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL)});
 }
 
+/// A light's is its scene manager's until it has one of its own, which 0 is not.
+void setFarDistance(const PresetUser& user, Ogre::SceneManager& sceneManager,
+                    Ogre::Real wsDistance) {
+    if (user.light == nullptr)
+        sceneManager.setShadowFarDistance(wsDistance);
+    else if (wsDistance < 0)
+        user.light->resetShadowFarDistance();
+    else
+        user.light->setShadowFarDistance(wsDistance);
+}
+
+/// Negative where a light has none of its own.
+Ogre::Real farDistanceOf(const PresetUser& user, const Ogre::SceneManager& sceneManager) {
+    if (user.light == nullptr) return sceneManager.getShadowFarDistance();
+    const Ogre::Real distance = user.light->getShadowFarDistance();
+    return distance == sceneManager.getShadowFarDistance() ? -1 : distance;
+}
+
 void giveTo(const PresetUser& user, Ogre::SceneManager& sceneManager) {
-    const std::string distance = settingOf(user.preset->getSettings(), "far_distance");
-    float wsDistance = 0.0F;
-    // Whatever the locale's decimal point is.
-    std::from_chars(distance.data(), distance.data() + distance.size(), wsDistance);
     const Ogre::ShadowCameraSetupPtr setup = user.preset->getSetup();
-    if (user.light == nullptr) {
+    if (user.light == nullptr)
         sceneManager.setShadowCameraSetup(setup);
-        if (!distance.empty()) sceneManager.setShadowFarDistance(wsDistance);
-    } else {
+    else
         user.light->setCustomShadowCameraSetup(setup);
-        if (!distance.empty()) user.light->setShadowFarDistance(wsDistance);
+    Ogre::UserObjectBindings& bindings = bindingsOf(sceneManager, user.light);
+    Binding binding{user.preset->getName(), user.preset->getGroup(), setup, {}};
+    if (const std::optional<Binding> before = bindingAt(bindings))
+        binding.distanceBefore = before->distanceBefore;
+    const std::string distance = settingOf(user.preset->getSettings(), "far_distance");
+    if (!distance.empty()) {
+        if (!binding.distanceBefore) binding.distanceBefore = farDistanceOf(user, sceneManager);
+        float wsDistance = 0.0F;
+        // Whatever the locale's decimal point is.
+        std::from_chars(distance.data(), distance.data() + distance.size(), wsDistance);
+        setFarDistance(user, sceneManager, wsDistance);
+    } else if (binding.distanceBefore) {
+        setFarDistance(user, sceneManager, *binding.distanceBefore);
+        binding.distanceBefore.reset();
     }
-    const Binding binding{user.preset->getName(), user.preset->getGroup(), setup};
-    bindingsOf(sceneManager, user.light).setUserAny(BindingKey, Ogre::Any(binding));
+    bindings.setUserAny(BindingKey, Ogre::Any(binding));
 }
 
 /// All but the materials.

@@ -47,6 +47,8 @@ private:
         const ScriptTokens parts = tokensOf(script);
         if (parts.openQuote != 0)
             return fail({file, parts.openQuote, "a quotation mark without another"});
+        if (parts.openComment != 0)
+            return fail({file, parts.openComment, "a comment that begins with '/*' has no '*/'"});
         ScriptOutline outline;
         if (const auto fault = readOutline(parts.tokens, file, outline, mVariables))
             return fail(*fault);

@@ -40,7 +40,11 @@ void ScriptErrors::handleError(ScriptCompiler* compiler, Ogre::uint32 code,
         mHasHidden = mHasHidden || line == 1;
     }
     const bool isError = code != ScriptCompiler::CE_DEPRECATEDSYMBOL;
-    if (isError && !mLogged.emplace(file, line, code, message).second) return;
+    if (isError) {
+        if (!mLogged.emplace(file, line, code, message).second) return;
+        mLines.push_back(file + "(" + std::to_string(line) +
+                         "): " + ScriptCompiler::formatErrorCode(code) + ": " + message);
+    }
     if (mNext != nullptr)
         mNext->handleError(compiler, code, file, line, message);
     else

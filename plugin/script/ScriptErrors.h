@@ -2,14 +2,15 @@
 
 #include <OgreScriptCompiler.h>
 
-#include <cstddef>
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace Lixel {
 
-/** Counts the errors of OGRE's script compiler while it lives.
+/** Collects the errors of OGRE's script compiler while it lives.
 
     It stands before the listener that an application may have set, which is told all the same.
 */
@@ -20,7 +21,8 @@ public:
     ScriptErrors(const ScriptErrors&) = delete;
     ScriptErrors& operator=(const ScriptErrors&) = delete;
 
-    std::size_t count() const { return mLogged.size(); }
+    /// A line each, with file and line.
+    const std::vector<std::string>& lines() const { return mLines; }
     /// Whether a line has a variable that is not set, which OGRE drops. All variables are expanded
     /// before the first object is translated.
     bool hasUnsetVariable(const std::string& file, unsigned line) const;
@@ -41,6 +43,7 @@ private:
     Ogre::ScriptCompilerListener* mNext;
     /// Errors already logged; a child repeats its parent's wrong lines.
     std::set<std::tuple<std::string, int, Ogre::uint32, std::string>> mLogged;
+    std::vector<std::string> mLines;
     std::set<std::pair<std::string, int>> mUnset;
     bool mHasHidden = false;
 };

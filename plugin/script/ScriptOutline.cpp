@@ -77,7 +77,8 @@ private:
             !isName(*value) ||
             (end != nullptr && end->type != Type::Newline && end->type != Type::RightBrace))
             return fail(first,
-                        "expected: set $NAME VALUE, with a value of several words in quotes");
+                        "expected: set $NAME VALUE, where VALUE is one word, or several words or "
+                        "variables in quotes");
         mNext += 3;
         return readValue(first, variable->text, value->text);
     }
@@ -117,8 +118,11 @@ private:
         if (block != 0) return readHeader(first, colon, length, block);
         if (colon != 0) return fail(first, "a line with ':' has to be followed by '{'");
         if (mDepth == 0)
-            return fail(first, "expected: shadow_camera_setup NAME, or shadow_camera_setup NAME : "
-                               "PARENT, and then its block between '{' and '}'");
+            return fail(first, mTakesSetupsAlone
+                                   ? "expected: shadow_camera_setup NAME, or shadow_camera_setup "
+                                     "NAME : PARENT, and then its block between '{' and '}'"
+                                   : "expected: an object such as material NAME, and then its "
+                                     "block between '{' and '}'");
         if (mTakesSetupsAlone) ++mOutline.objects.back().lines;
         mNext += length;
         return true;

@@ -72,6 +72,7 @@ private:
     void skipComment() {
         // OGRE takes "/*/" for a whole comment.
         const std::size_t end = mScript.find("*/", mNext + 1);
+        if (end == std::string_view::npos) mResult.openComment = mLine;
         skipTo(end == std::string_view::npos ? end : end + 2);
     }
 

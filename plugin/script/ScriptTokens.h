@@ -20,6 +20,8 @@ struct ScriptTokens {
     std::vector<ScriptToken> tokens;
     /// The line of a quotation mark that has no other; 0 if there is none.
     unsigned openQuote = 0;
+    /// The line of a comment that does not end; 0 where all do.
+    unsigned openComment = 0;
 };
 
 ScriptTokens tokensOf(std::string_view script);

@@ -13,6 +13,7 @@
 #include <OgreScriptCompiler.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace Lixel {
@@ -25,10 +26,11 @@ const char* const Pattern = "*.shadow";
 /// OGRE's script compiler has 90: what its scripts define is there before.
 constexpr Ogre::Real LoadOrder = 95;
 
-/// As OGRE's script compiler logs its errors.
-void logScriptError(const std::string& file, unsigned line, const std::string& what) {
+/// As OGRE's script compiler logs its errors. @return the error as a line
+std::string logScriptError(const std::string& file, unsigned line, const std::string& what) {
     Ogre::LogManager::getSingleton().logError("ScriptCompiler - " + what + " in " + file + "(" +
                                               std::to_string(line) + "); the file is left out");
+    return file + "(" + std::to_string(line) + "): " + what + "; the file is left out";
 }
 
 /// Without the byte order mark that some editors begin files with, and OGRE takes for a word.
@@ -127,54 +129,60 @@ void ShadowCameraSetupManager::parseScript(Ogre::DataStreamPtr& stream, const Og
     readScript(*stream, group);
 }
 
-std::size_t ShadowCameraSetupManager::readScript(Ogre::DataStream& stream,
-                                                 const Ogre::String& group) {
+void ShadowCameraSetupManager::parseMaterialsAgain(Ogre::DataStreamPtr& stream,
+                                                   const Ogre::String& group) {
+    mTranslator->beginFile(stream->getName());
+    Ogre::ScriptCompilerManager::getSingleton().parseScript(stream, group);
+    mTranslator->endFile();
+}
+
+std::vector<std::string> ShadowCameraSetupManager::readScript(Ogre::DataStream& stream,
+                                                              const Ogre::String& group) {
     const std::string text = withoutMark(stream.getAsString());
     const std::string file = stream.getName();
     const auto fault = findScriptFault(
         text, file, [&](const std::string& imported) { return loadText(imported, group); });
-    if (fault) {
-        logScriptError(fault->file, fault->line, fault->what);
-        return 1;
-    }
+    if (fault) return {logScriptError(fault->file, fault->line, fault->what)};
     mTranslator->beginFile(file);
-    std::size_t thrown = 0;
+    std::vector<std::string> thrown;
     try {
         Ogre::DataStreamPtr copy = streamOf(text, file);
         Ogre::ScriptCompilerManager::getSingleton().parseScript(copy, group);
     } catch (const Ogre::Exception& exception) {
-        thrown = 1;
-        logScriptError(file, 1, exception.getDescription());
+        thrown.push_back(logScriptError(file, 1, exception.getDescription()));
         clearCompiler(group);
     }
-    return mTranslator->endFile() + thrown;
+    std::vector<std::string> errors = mTranslator->endFile();
+    std::ranges::move(thrown, std::back_inserter(errors));
+    return errors;
 }
 
-std::size_t ShadowCameraSetupManager::reload(const Ogre::String& group) {
+std::vector<std::string> ShadowCameraSetupManager::reload(const Ogre::String& group) {
     std::vector<std::pair<ShadowPresetPtr, ShadowPreset::State>> before;
     for (const ShadowPresetPtr& preset : list())
         before.emplace_back(preset, preset->state());
-    std::size_t errors = readGroup(group);
+    std::vector<std::string> errors = readGroup(group);
     const std::string refusal = useAllPresetsAgain();
     if (refusal.empty()) return errors;
     // Each preset is valid, but they conflict.
     for (const auto& [preset, state] : before)
         preset->restore(state);
     useAllPresetsAgain();
-    Ogre::LogManager::getSingleton().logError(
-        "Lixel: all shadow_camera_setups stay as they were: " + refusal);
-    return errors + 1;
+    errors.push_back("all shadow_camera_setups stay as they were: " + refusal);
+    Ogre::LogManager::getSingleton().logError("Lixel: " + errors.back());
+    return errors;
 }
 
-std::size_t ShadowCameraSetupManager::readGroup(const Ogre::String& group) {
+std::vector<std::string> ShadowCameraSetupManager::readGroup(const Ogre::String& group) {
     // From the archives themselves: the group's index has only what was there at its beginning.
     const Ogre::FileInfoListPtr files =
         Ogre::ResourceGroupManager::getSingleton().findResourceFileInfo(group, Pattern);
     std::set<std::string> read;
-    std::size_t errors = 0;
+    std::vector<std::string> errors;
     for (const Ogre::FileInfo& file : *files)
         if (read.insert(file.filename).second)
-            errors += readScript(*file.archive->open(file.filename), group);
+            std::ranges::move(readScript(*file.archive->open(file.filename), group),
+                              std::back_inserter(errors));
     return errors;
 }
 

@@ -5,6 +5,7 @@
 #include <OgreResourceManager.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace Lixel {
@@ -44,17 +45,19 @@ public:
         define to all lights and scene managers that use it. A definition with an error stays as it
         was, and so does one that is no longer there; all of them do where two that are used in a scene
         contradict each other.
-        @return how many errors there were; the log has them
+        @return the errors, a line each, which the log has too
     */
-    std::size_t reload(const Ogre::String& group);
+    std::vector<std::string> reload(const Ogre::String& group);
 
     void parseScript(Ogre::DataStreamPtr& stream, const Ogre::String& group) override;
+    /// Has OGRE parse a `.material` script that it has parsed before: setups in it are defined anew.
+    void parseMaterialsAgain(Ogre::DataStreamPtr& stream, const Ogre::String& group);
 
 private:
-    /// Reads a group's `.shadow` files. @return how many errors there were
-    std::size_t readGroup(const Ogre::String& group);
-    /// Reads one `.shadow` file. @return how many errors there were
-    std::size_t readScript(Ogre::DataStream& stream, const Ogre::String& group);
+    /// Reads a group's `.shadow` files. @return the errors, a line each
+    std::vector<std::string> readGroup(const Ogre::String& group);
+    /// Reads one `.shadow` file. @return the errors, a line each
+    std::vector<std::string> readScript(Ogre::DataStream& stream, const Ogre::String& group);
 
     Ogre::Resource* createImpl(const Ogre::String& name, Ogre::ResourceHandle handle,
                                const Ogre::String& group, bool isManual,

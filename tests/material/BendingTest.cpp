@@ -15,7 +15,8 @@ protected:
         skeleton->createBone("bone");
         skeleton->setBindingPose();
         Ogre::SceneNode* const node = scene.addCube(Ogre::Vector3(4, 1, 0), Ogre::Vector3(1));
-        auto* const cube = static_cast<Ogre::Entity*>(node->detachObject(static_cast<unsigned short>(0)));
+        auto* const cube =
+            static_cast<Ogre::Entity*>(node->detachObject(static_cast<unsigned short>(0)));
         const Ogre::MeshPtr mesh = cube->getMesh()->clone("bending");
         mesh->_notifySkeleton(skeleton);
         Ogre::SubMesh& part = *mesh->getSubMesh(0);

@@ -28,7 +28,7 @@ void EditedScript::write(const std::string& text) const {
 
 std::size_t EditedScript::edit(const std::string& text) const {
     write(text);
-    return ShadowCameraSetupManager::getSingleton().reload(mGroup);
+    return ShadowCameraSetupManager::getSingleton().reload(mGroup).size();
 }
 
 void apply(const std::string& name, Ogre::Light& light) {

@@ -174,7 +174,7 @@ TEST(Presets, AreThereAfterTheirGroupWasReadAnew) {
     script.write("shadow_camera_setup A\n{\ntechnique Uniform\nmap_size 32\n}\n");
     groups.initialiseResourceGroup(EditedGroup);
     EXPECT_EQ(differing(scene.draw(), before, 0), 0.0);
-    EXPECT_EQ(ShadowCameraSetupManager::getSingleton().reload(EditedGroup), 0U);
+    EXPECT_EQ(ShadowCameraSetupManager::getSingleton().reload(EditedGroup).size(), 0U);
     EXPECT_GT(differing(scene.draw(), before), 0.0);
 }
 
@@ -221,6 +221,22 @@ TEST(Presets, MayBeReloadedAHundredTimes) {
         ASSERT_EQ(differing(scene.draw(), isFine ? finePicture : coarsePicture, 0), 0.0)
             << "after edit " << edit;
     }
+}
+
+TEST(Presets, ThatNoLongerSayADistanceGiveBackTheOneBefore) {
+    const std::string begin = "shadow_camera_setup My/Near\n{\nmap_size 64\n";
+    UnshadowedScene scene("Lixel/Surface/Integrated");
+    const EditedScript script(begin + "}\n");
+    Ogre::Light& sun = *scene.lights.front();
+    apply("My/Near", sun);
+    const Ogre::Real before = sun.getShadowFarDistance();
+    EXPECT_EQ(script.edit(begin + "far_distance 7\n}\n"), 0U);
+    EXPECT_EQ(sun.getShadowFarDistance(), 7);
+    EXPECT_EQ(script.edit(begin + "far_distance 9\n}\n"), 0U);
+    EXPECT_EQ(script.edit(begin + "}\n"), 0U);
+    EXPECT_EQ(sun.getShadowFarDistance(), before);
+    scene.stage.sceneManager().setShadowFarDistance(before + 1);
+    EXPECT_EQ(sun.getShadowFarDistance(), before + 1) << "it has none of its own";
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "MaterialScene.h"
 
 #include <Lixel/reload/Reload.h>
+#include <Lixel/script/ShadowCameraSetupManager.h>
 
 #include <OgreScriptCompiler.h>
 
@@ -133,11 +134,43 @@ TEST_F(Reload, ShowsDefinitionsOfThePreprocessor) {
 
 TEST_F(Reload, KeepsTheLastGoodShader) {
     folder.write("edited.glsl", levelOf("0.25 +"));
-    expectAll(folder.reload(), "edited.frag does not compile");
+    expectAll(folder.reload(), "edited.frag does not compile, or a file is missing");
     EXPECT_EQ(level(), 128);
     folder.write("edited.glsl", levelOf("0.25"));
     EXPECT_TRUE(folder.reload().empty());
     EXPECT_EQ(level(), 64);
+}
+
+TEST_F(Reload, OutlivesAFileThatIsMissing) {
+    folder.remove("edited.glsl");
+    expectAll(folder.reload(), "a file is missing");
+    EXPECT_EQ(level(), 128);
+    folder.write("edited.glsl", levelOf("0.25"));
+    EXPECT_EQ(folder.reload(), std::vector<std::string>());
+    EXPECT_EQ(level(), 64);
+}
+
+TEST_F(Reload, KnowsWhatOtherGroupsHave) {
+    const std::string surface = "import * from \"Lixel.material\"\n"
+                                "material Edited/Inherits : Lixel/Surface/Integrated\n{\n}\n";
+    folder.write("edited.material", surface + materialWith("param_named scale float 0.5"));
+    EXPECT_EQ(folder.reload(), std::vector<std::string>());
+    EXPECT_EQ(level(), 64);
+}
+
+TEST_F(Reload, DefinesSetupsOfMaterialScriptsAnew) {
+    const std::string setup = "shadow_camera_setup Edited/Sun\n{\n    map_size ";
+    for (const char* const size : {"256", "512", "128"}) {
+        folder.write("edited.material", materialWith("") + setup + size + "\n}\n");
+        EXPECT_EQ(folder.reload(), std::vector<std::string>());
+        const auto preset = ShadowCameraSetupManager::getByName("Edited/Sun");
+        EXPECT_EQ(preset->getSettings().at("map_size"), std::string(size) + " " + size);
+    }
+}
+
+TEST_F(Reload, SaysWhereASetupIsWrong) {
+    folder.write("edited.shadow", "shadow_camera_setup Edited/Wrong\n{\n    map_size none\n}\n");
+    expectAll(folder.reload(), "edited.shadow(3)");
 }
 
 TEST_F(Reload, KeepsTheLastGoodMaterial) {

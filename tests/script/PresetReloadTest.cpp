@@ -20,13 +20,13 @@ TEST(ReloadedPresetScript, IsReadAgain) {
 
     ogre.write("my.shadow", "shadow_camera_setup A\n{\ntechnique Uniform\nstrength 3\n}\n"
                             "shadow_camera_setup New\n{\nmaps 2\n}\n");
-    EXPECT_EQ(manager.reload("Scripts"), 1U);
+    EXPECT_EQ(manager.reload("Scripts").size(), 1U);
     EXPECT_EQ(ogre.takeErrors().size(), 1U);
     EXPECT_EQ(a->getSetup(), before) << "an error keeps what is right";
     EXPECT_TRUE(preset("New"));
 
     ogre.write("my.shadow", "shadow_camera_setup A\n{\ntechnique XPSM\nstrength 3\n}\n");
-    EXPECT_EQ(manager.reload("Scripts"), 0U);
+    EXPECT_EQ(manager.reload("Scripts").size(), 0U);
     EXPECT_EQ(preset("A"), a);
     EXPECT_EQ(a->getSetup()->getParameter("strength"), "3");
     EXPECT_TRUE(preset("New")) << "what is there stays";
@@ -39,14 +39,14 @@ TEST(ReloadedPresetScript, OfAVariableThatIsNotSetStaysAsItWas) {
     const std::string header = "shadow_camera_setup A\n{\nmap_size 512 ";
     for (const char* const line : {"$unset\n}\n", "$b\nset $b \"$unset\"\n}\n"}) {
         ogre.write("my.shadow", header + line + "shadow_camera_setup B : A\n{\n}\n");
-        EXPECT_EQ(manager.reload("Scripts"), 1U) << line;
+        EXPECT_EQ(manager.reload("Scripts").size(), 1U) << line;
         EXPECT_EQ(ogre.takeErrors().size(), 1U) << "and not once more for the child";
         EXPECT_EQ(preset("A")->getSetting("map_size"), "64 64");
     }
     // What the parent lacks, a child may set.
     ogre.write("my.shadow", "abstract shadow_camera_setup P\n{\nmap_size 512 $side\n}\n"
                             "shadow_camera_setup A : P\n{\nset $side 32\n}\n");
-    EXPECT_EQ(manager.reload("Scripts"), 0U);
+    EXPECT_EQ(manager.reload("Scripts").size(), 0U);
     EXPECT_EQ(preset("A")->getSetting("map_size"), "512 32");
 }
 

@@ -76,6 +76,7 @@ TEST(ScriptCheck, FindsWrongStructure) {
     expectFault("maps 3\n", "expected: shadow_camera_setup NAME");
     expectFault("shadow_camera_setup A {\n technique \"XPSM\n}\n",
                 "my.shadow(2): a quotation mark");
+    expectFault("shadow_camera_setup A {\n}\n/* all the rest\n", "my.shadow(3): a comment");
 }
 
 TEST(ScriptCheck, FindsImportsThatOgreDoesNotSurvive) {
