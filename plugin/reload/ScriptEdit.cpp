@@ -1,5 +1,6 @@
 #include "reload/ScriptEdit.h"
 
+#include "scene/OgreVersions.h"
 #include "script/ShadowCameraSetupManager.h"
 
 #include <OgreGpuProgramManager.h>
@@ -29,8 +30,10 @@ Ogre::MaterialPtr copyOf(const Ogre::Material& material) {
 
 Ogre::NameValuePairList settingsOf(const Ogre::GpuProgram& program) {
     Ogre::NameValuePairList settings;
-    for (const Ogre::ParameterDef& setting : program.getParameters())
-        settings[setting.name] = program.getParameter(setting.name);
+    for (const auto& setting : program.getParameters()) {
+        const Ogre::String& name = settingName(setting);
+        settings[name] = program.getParameter(name);
+    }
     return settings;
 }
 

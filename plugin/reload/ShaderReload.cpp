@@ -26,9 +26,11 @@ public:
         : mMade(createProgram(program.getName() + "/Lixel/Attempt", program.getGroup(),
                               program.getLanguage(), program.getType())) {
         // Only what it has: OGRE warns of settings that are deprecated.
-        for (const Ogre::ParameterDef& setting : program.getParameters())
-            if (mMade->getParameter(setting.name) != program.getParameter(setting.name))
-                mMade->setParameter(setting.name, program.getParameter(setting.name));
+        for (const auto& setting : program.getParameters()) {
+            const Ogre::String& name = settingName(setting);
+            const Ogre::String value = program.getParameter(name);
+            if (mMade->getParameter(name) != value) mMade->setParameter(name, value);
+        }
         mMade->setSourceFile(program.getSourceFile());
         try {
             mMade->load();

@@ -15,6 +15,7 @@
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
+#include <OgreStringInterface.h>
 #include <OgreTexture.h>
 #include <OgreViewport.h>
 
@@ -93,6 +94,14 @@ inline Ogre::GpuProgramPtr createProgram(const Ogre::String& name, const Ogre::S
 }
 
 #endif
+
+/// The name of what StringInterface::getParameters() lists: since 14 it lists names alone.
+inline const Ogre::String& settingName(const Ogre::ParameterDef& setting) {
+    return setting.name;
+}
+inline const Ogre::String& settingName(const Ogre::String& name) {
+    return name;
+}
 
 /// A factory of scene managers that knows the name of their type; since 14 it has no other metadata.
 class NamedSceneManagerFactory : public Ogre::SceneManagerFactory {
