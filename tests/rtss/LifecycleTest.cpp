@@ -64,14 +64,18 @@ protected:
 
 TEST_F(ShaderSystemLifecycle, EnablingTwiceSetsTheOptions) {
     ASSERT_TRUE(isOther(shadowed, lit));
+    // OGRE 14 has states of its own in each scheme.
+    const auto count = [this] {
+        return generator().getRenderState(StartedShaderSystem::Scheme)->getSubRenderStates().size();
+    };
+    const std::size_t once = count();
     Lixel::ShaderSystem::enable(generator());
     EXPECT_EQ(scene->draw(), shadowed);
     Lixel::ShaderSystem::enable(generator(), "", {.maps = 1});
     EXPECT_NE(scene->draw(), shadowed);
     Lixel::ShaderSystem::enable(generator(), "", {.maps = 3});
     EXPECT_EQ(scene->draw(), shadowed);
-    EXPECT_EQ(generator().getRenderState(StartedShaderSystem::Scheme)->getSubRenderStates().size(),
-              1U);
+    EXPECT_EQ(count(), once);
 }
 
 /// The shader system has made techniques of those that a reload replaces.

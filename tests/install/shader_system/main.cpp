@@ -39,8 +39,10 @@ int main() {
     for (const auto& [group, locations] : config.getSettingsBySection())
         for (const auto& [type, path] : locations)
             groups.addResourceLocation(path, type, group);
-    groups.addResourceLocation(OGRE_MEDIA_DIR "/RTShaderLib/GLSL", "FileSystem",
-                               Ogre::RGN_INTERNAL);
+    // OGRE's functions for shaders; 14 has them in the folder above.
+    for (const char* folder : {"/RTShaderLib", "/RTShaderLib/GLSL"})
+        groups.addResourceLocation(std::string(OGRE_MEDIA_DIR) + folder, "FileSystem",
+                                   Ogre::RGN_INTERNAL);
 
     ShaderGenerator::initialize();
     ShaderGenerator::getSingleton().addSceneManager(scene);
