@@ -1,17 +1,15 @@
 #include "reload/MaterialReload.h"
 
 #include "reload/ScriptEdit.h"
-#include "scene/Log.h"
 #include "scene/OgreVersions.h"
-#include "script/ScriptCheck.h"
 
 #include <OgreMaterialManager.h>
 #include <OgrePass.h>
 #include <OgreResourceGroupManager.h>
 #include <OgreTechnique.h>
 
-#include <optional>
-#include <utility>
+#include <algorithm>
+#include <iterator>
 
 namespace Lixel {
 namespace {
@@ -52,29 +50,10 @@ private:
     std::vector<Use> mUses;
 };
 
-/// What is wrong with the structure of a script, which OGRE's parser may not survive.
-std::optional<std::string> faultOf(const Ogre::String& text, const Ogre::String& file,
-                                   const Ogre::String& group) {
-    // As OGRE's compiler looks for what is imported: in other groups too.
-    const auto read = [&](const std::string& name) -> std::optional<std::string> {
-        const Ogre::DataStreamPtr stream =
-            Ogre::ResourceGroupManager::getSingleton().openResource(name, group, nullptr, false);
-        return stream ? std::optional<std::string>(stream->getAsString()) : std::nullopt;
-    };
-    const std::optional<ScriptFault> fault = findScriptFault(text, file, read);
-    if (!fault) return std::nullopt;
-    return fault->file + "(" + std::to_string(fault->line) + "): " + fault->what;
-}
-
 std::vector<std::string> reloadScript(const Ogre::String& file, const Ogre::String& group,
                                       const std::function<void(Ogre::Material&)>& changes) {
-    const Ogre::String text = textOf(file, group);
-    if (const std::optional<std::string> fault = faultOf(text, file, group)) {
-        logWarning(*fault + "; what it defines stays as it was");
-        return {*fault};
-    }
     ScriptEdit edit(changes);
-    std::vector<std::string> errors = edit.parse(text, file, group);
+    std::vector<std::string> errors = edit.parse(textOf(file, group), file, group);
     if (!errors.empty()) edit.undo();
     return errors;
 }
@@ -92,8 +71,8 @@ reloadMaterials(const Ogre::String& group,
         for (const Ogre::String& file : *files) {
             // Listed from the disk, but OGRE opens what was there when it looked into the location.
             if (!Ogre::ResourceGroupManager::getSingleton().resourceExists(group, file)) continue;
-            for (std::string& error : reloadScript(file, group, materialChanges))
-                errors.push_back(std::move(error));
+            std::ranges::move(reloadScript(file, group, materialChanges),
+                              std::back_inserter(errors));
         }
     }
     shadowMaterials.take();

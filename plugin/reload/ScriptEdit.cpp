@@ -1,6 +1,6 @@
 #include "reload/ScriptEdit.h"
 
-#include "scene/OgreVersions.h"
+#include "reload/ProgramSettings.h"
 #include "script/ShadowCameraSetupManager.h"
 
 #include <OgreGpuProgramManager.h>
@@ -28,57 +28,32 @@ Ogre::MaterialPtr copyOf(const Ogre::Material& material) {
     return made;
 }
 
-Ogre::NameValuePairList settingsOf(const Ogre::GpuProgram& program) {
-    Ogre::NameValuePairList settings;
-    for (const auto& setting : program.getParameters()) {
-        const Ogre::String& name = settingName(setting);
-        settings[name] = program.getParameter(name);
-    }
-    return settings;
-}
-
-/// Where its file is not there, it counts as one that does not compile.
 void loadAgain(Ogre::GpuProgram& program) {
     program.unload();
-    try {
-        program.load();
-    } catch (const Ogre::Exception&) {
-        // It is in the log.
-    }
+    loadIfPossible(program);
 }
 
 } // namespace
 
 ScriptEdit::ScriptEdit(std::function<void(Ogre::Material&)> materialChanges)
-    : mMaterialChanges(std::move(materialChanges)),
-      mOthers(Ogre::ScriptCompilerManager::getSingleton().getListener()) {
-    Ogre::ScriptCompilerManager::getSingleton().setListener(this);
-}
+    : mMaterialChanges(std::move(materialChanges)) {}
 
 ScriptEdit::~ScriptEdit() {
-    Ogre::ScriptCompilerManager::getSingleton().setListener(mOthers);
     for (const auto& [material, before] : mMaterials)
         Ogre::MaterialManager::getSingleton().remove(before);
 }
 
 std::vector<std::string> ScriptEdit::parse(const Ogre::String& text, const Ogre::String& file,
                                            const Ogre::String& group) {
-    const auto once = [&] {
-        mErrors.clear();
-        // It has a copy of its own, which it may change.
-        Ogre::String own = text;
-        Ogre::DataStreamPtr stream =
-            std::make_shared<Ogre::MemoryDataStream>(file, own.data(), own.size(), false, true);
-        ShadowCameraSetupManager::getSingleton().parseMaterialsAgain(stream, group);
-    };
-    once();
+    auto& setups = ShadowCameraSetupManager::getSingleton();
+    std::vector<std::string> errors = setups.parseAgain(text, file, group);
     // Lines of parameters are about the uniforms that a program had when it was compiled.
-    if (readChangedProgramsAgain()) once();
+    if (readChangedProgramsAgain()) errors = setups.parseAgain(text, file, group);
     for (const ProgramCopy& before : mPrograms)
         if (isUnusable(before))
-            mErrors.push_back(file + ": program '" + before.program->getName() +
-                              "' does not compile, or its file is not there (see the log)");
-    return mErrors;
+            errors.push_back(file + ": program '" + before.program->getName() +
+                             "' does not compile, or its file is not there (see the log)");
+    return errors;
 }
 
 bool ScriptEdit::isUnusable(const ProgramCopy& before) {
@@ -117,7 +92,7 @@ bool ScriptEdit::handleEvent(Ogre::ScriptCompiler* compiler, Ogre::ScriptCompile
             return true;
         }
     }
-    return mOthers != nullptr && mOthers->handleEvent(compiler, event, result);
+    return ScriptListener::handleEvent(compiler, event, result);
 }
 
 Ogre::Material* ScriptEdit::changeMaterial(const Ogre::String& name, const Ogre::String& group) {
@@ -175,8 +150,7 @@ void ScriptEdit::undo() {
     for (const ProgramCopy& before : mPrograms) {
         Ogre::GpuProgram& program = *before.program;
         const bool changed = hasChanged(before);
-        for (const auto& [setting, value] : before.settings)
-            if (program.getParameter(setting) != value) program.setParameter(setting, value);
+        setSettings(program, before.settings);
         if (changed) {
             program.setSourceFile(before.sourceFile);
             if (before.wasLoaded) loadAgain(program);
@@ -184,20 +158,6 @@ void ScriptEdit::undo() {
         if (before.defaults) program.getDefaultParameters()->copyConstantsFrom(*before.defaults);
     }
     mNewMaterials.clear();
-}
-
-void ScriptEdit::handleError(Ogre::ScriptCompiler* compiler, Ogre::uint32 code,
-                             const Ogre::String& file, int line, const Ogre::String& message) {
-    if (code != Ogre::ScriptCompiler::CE_DEPRECATEDSYMBOL)
-        mErrors.push_back(file + "(" + std::to_string(line) +
-                          "): " + Ogre::ScriptCompiler::formatErrorCode(code) + ": " + message);
-    Ogre::ScriptCompilerListener& said = mOthers != nullptr ? *mOthers : mLogs;
-    said.handleError(compiler, code, file, line, message);
-}
-
-Ogre::ConcreteNodeListPtr ScriptEdit::importFile(Ogre::ScriptCompiler* compiler,
-                                                 const Ogre::String& name) {
-    return mOthers != nullptr ? mOthers->importFile(compiler, name) : Ogre::ConcreteNodeListPtr();
 }
 
 } // namespace Lixel

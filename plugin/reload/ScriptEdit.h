@@ -1,28 +1,26 @@
 #pragma once
 
+#include "script/ScriptListener.h"
+
 #include <OgreGpuProgram.h>
 #include <OgreMaterial.h>
-#include <OgreScriptCompiler.h>
 
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Lixel {
 
 /** While it exists, scripts that OGRE parses change the materials and programs that there are,
     instead of failing to define them twice.
-
-    It takes the place of the application's listener, and hands on to it whatever it does not answer.
 */
-class ScriptEdit : public Ogre::ScriptCompilerListener {
+class ScriptEdit : public ScriptListener {
 public:
     /// @param materialChanges is told of each material before it loses its techniques
     explicit ScriptEdit(std::function<void(Ogre::Material&)> materialChanges);
     ~ScriptEdit() override;
-    ScriptEdit(const ScriptEdit&) = delete;
-    ScriptEdit& operator=(const ScriptEdit&) = delete;
 
     /** Parses a script.
         @return what was wrong, a line each; then it has to be undone */
@@ -33,10 +31,6 @@ public:
 
     bool handleEvent(Ogre::ScriptCompiler* compiler, Ogre::ScriptCompilerEvent* event,
                      void* result) override;
-    void handleError(Ogre::ScriptCompiler* compiler, Ogre::uint32 code, const Ogre::String& file,
-                     int line, const Ogre::String& message) override;
-    Ogre::ConcreteNodeListPtr importFile(Ogre::ScriptCompiler* compiler,
-                                         const Ogre::String& name) override;
 
 private:
     /// What a program had before.
@@ -59,10 +53,6 @@ private:
                                     const Ogre::String& sourceFile);
 
     std::function<void(Ogre::Material&)> mMaterialChanges;
-    Ogre::ScriptCompilerListener* mOthers;
-    /// As OGRE logs errors where there is no listener.
-    Ogre::ScriptCompilerListener mLogs;
-    std::vector<std::string> mErrors;
     /// Copies, by the material that they are of.
     std::map<Ogre::MaterialPtr, Ogre::MaterialPtr> mMaterials;
     std::vector<ProgramCopy> mPrograms;

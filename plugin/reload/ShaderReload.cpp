@@ -1,5 +1,6 @@
 #include "reload/ShaderReload.h"
 
+#include "reload/ProgramSettings.h"
 #include "scene/OgreVersions.h"
 
 #include <OgreGpuProgram.h>
@@ -25,18 +26,9 @@ public:
     explicit Attempt(const Ogre::GpuProgram& program)
         : mMade(createProgram(program.getName() + "/Lixel/Attempt", program.getGroup(),
                               program.getLanguage(), program.getType())) {
-        // Only what it has: OGRE warns of settings that are deprecated.
-        for (const auto& setting : program.getParameters()) {
-            const Ogre::String& name = settingName(setting);
-            const Ogre::String value = program.getParameter(name);
-            if (mMade->getParameter(name) != value) mMade->setParameter(name, value);
-        }
+        setSettings(*mMade, settingsOf(program));
         mMade->setSourceFile(program.getSourceFile());
-        try {
-            mMade->load();
-        } catch (const Ogre::Exception&) {
-            // A file is missing. It is in the log.
-        }
+        loadIfPossible(*mMade);
     }
     ~Attempt() { programManager().remove(mMade); }
     Attempt(const Attempt&) = delete;

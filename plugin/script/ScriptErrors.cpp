@@ -3,33 +3,9 @@
 namespace Lixel {
 
 using Ogre::ScriptCompiler;
-using Ogre::ScriptCompilerListener;
-
-ScriptErrors::ScriptErrors() : mNext(Ogre::ScriptCompilerManager::getSingleton().getListener()) {
-    Ogre::ScriptCompilerManager::getSingleton().setListener(this);
-}
-
-ScriptErrors::~ScriptErrors() {
-    Ogre::ScriptCompilerManager::getSingleton().setListener(mNext);
-}
 
 bool ScriptErrors::hasUnsetVariable(const std::string& file, unsigned line) const {
     return mUnset.contains({file, static_cast<int>(line)});
-}
-
-Ogre::ConcreteNodeListPtr ScriptErrors::importFile(ScriptCompiler* compiler,
-                                                   const Ogre::String& name) {
-    return mNext != nullptr ? mNext->importFile(compiler, name)
-                            : ScriptCompilerListener::importFile(compiler, name);
-}
-
-void ScriptErrors::preConversion(ScriptCompiler* compiler, Ogre::ConcreteNodeListPtr nodes) {
-    if (mNext != nullptr) mNext->preConversion(compiler, nodes);
-}
-
-bool ScriptErrors::postConversion(ScriptCompiler* compiler,
-                                  const Ogre::AbstractNodeListPtr& nodes) {
-    return mNext == nullptr || mNext->postConversion(compiler, nodes);
 }
 
 void ScriptErrors::handleError(ScriptCompiler* compiler, Ogre::uint32 code,
@@ -45,15 +21,7 @@ void ScriptErrors::handleError(ScriptCompiler* compiler, Ogre::uint32 code,
         mLines.push_back(file + "(" + std::to_string(line) +
                          "): " + ScriptCompiler::formatErrorCode(code) + ": " + message);
     }
-    if (mNext != nullptr)
-        mNext->handleError(compiler, code, file, line, message);
-    else
-        ScriptCompilerListener::handleError(compiler, code, file, line, message);
-}
-
-bool ScriptErrors::handleEvent(ScriptCompiler* compiler, Ogre::ScriptCompilerEvent* event,
-                               void* result) {
-    return mNext != nullptr && mNext->handleEvent(compiler, event, result);
+    ScriptListener::handleError(compiler, code, file, line, message);
 }
 
 } // namespace Lixel

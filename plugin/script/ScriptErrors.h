@@ -1,6 +1,6 @@
 #pragma once
 
-#include <OgreScriptCompiler.h>
+#include "script/ScriptListener.h"
 
 #include <set>
 #include <string>
@@ -10,17 +10,9 @@
 
 namespace Lixel {
 
-/** Collects the errors of OGRE's script compiler while it lives.
-
-    It stands before the listener that an application may have set, which is told all the same.
-*/
-class ScriptErrors : public Ogre::ScriptCompilerListener {
+/// Collects the errors of OGRE's script compiler while it lives.
+class ScriptErrors : public ScriptListener {
 public:
-    ScriptErrors();
-    ~ScriptErrors() override;
-    ScriptErrors(const ScriptErrors&) = delete;
-    ScriptErrors& operator=(const ScriptErrors&) = delete;
-
     /// A line each, with file and line.
     const std::vector<std::string>& lines() const { return mLines; }
     /// Whether a line has a variable that is not set, which OGRE drops. All variables are expanded
@@ -29,18 +21,10 @@ public:
     /// Whether there is one in another variable's value: OGRE does not know where that is used.
     bool hasHiddenUnsetVariable() const { return mHasHidden; }
 
-    Ogre::ConcreteNodeListPtr importFile(Ogre::ScriptCompiler* compiler,
-                                         const Ogre::String& name) override;
-    void preConversion(Ogre::ScriptCompiler* compiler, Ogre::ConcreteNodeListPtr nodes) override;
-    bool postConversion(Ogre::ScriptCompiler* compiler,
-                        const Ogre::AbstractNodeListPtr& nodes) override;
     void handleError(Ogre::ScriptCompiler* compiler, Ogre::uint32 code, const Ogre::String& file,
                      int line, const Ogre::String& message) override;
-    bool handleEvent(Ogre::ScriptCompiler* compiler, Ogre::ScriptCompilerEvent* event,
-                     void* result) override;
 
 private:
-    Ogre::ScriptCompilerListener* mNext;
     /// Errors already logged; a child repeats its parent's wrong lines.
     std::set<std::tuple<std::string, int, Ogre::uint32, std::string>> mLogged;
     std::vector<std::string> mLines;

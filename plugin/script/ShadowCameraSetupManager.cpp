@@ -129,17 +129,14 @@ void ShadowCameraSetupManager::parseScript(Ogre::DataStreamPtr& stream, const Og
     readScript(*stream, group);
 }
 
-void ShadowCameraSetupManager::parseMaterialsAgain(Ogre::DataStreamPtr& stream,
-                                                   const Ogre::String& group) {
-    mTranslator->beginFile(stream->getName());
-    Ogre::ScriptCompilerManager::getSingleton().parseScript(stream, group);
-    mTranslator->endFile();
-}
-
 std::vector<std::string> ShadowCameraSetupManager::readScript(Ogre::DataStream& stream,
                                                               const Ogre::String& group) {
-    const std::string text = withoutMark(stream.getAsString());
-    const std::string file = stream.getName();
+    return parseAgain(withoutMark(stream.getAsString()), stream.getName(), group);
+}
+
+std::vector<std::string> ShadowCameraSetupManager::parseAgain(const std::string& text,
+                                                              const std::string& file,
+                                                              const Ogre::String& group) {
     const auto fault = findScriptFault(
         text, file, [&](const std::string& imported) { return loadText(imported, group); });
     if (fault) return {logScriptError(fault->file, fault->line, fault->what)};

@@ -50,8 +50,12 @@ public:
     std::vector<std::string> reload(const Ogre::String& group);
 
     void parseScript(Ogre::DataStreamPtr& stream, const Ogre::String& group) override;
-    /// Has OGRE parse a `.material` script that it has parsed before: setups in it are defined anew.
-    void parseMaterialsAgain(Ogre::DataStreamPtr& stream, const Ogre::String& group);
+    /** Has OGRE parse a script, which it may have parsed before: setups in it are defined anew. A
+        script whose structure OGRE's parser would not survive is left out.
+        @return the errors, a line each, which the log has too
+    */
+    std::vector<std::string> parseAgain(const std::string& text, const std::string& file,
+                                        const Ogre::String& group);
 
 private:
     /// Reads a group's `.shadow` files. @return the errors, a line each
