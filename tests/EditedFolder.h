@@ -18,9 +18,11 @@ class EditedFolder {
 public:
     static constexpr const char* Group = "EditedFolder";
 
-    EditedFolder()
-        : mFolder(std::filesystem::temp_directory_path() /
-                  ("lixel-edited-" + std::to_string(getpid()))) {
+    explicit EditedFolder(const std::string& group = Group, bool isInGlobalPool = true)
+        : mGroup(group),
+          mIsInGlobalPool(isInGlobalPool),
+          mFolder(std::filesystem::temp_directory_path() /
+                  ("lixel-edited-" + group + "-" + std::to_string(getpid()))) {
         std::filesystem::create_directories(mFolder);
     }
     ~EditedFolder() { std::filesystem::remove_all(mFolder); }
@@ -31,16 +33,18 @@ public:
         std::ofstream(mFolder / file) << text;
     }
     void remove(const std::string& file) const { std::filesystem::remove(mFolder / file); }
-    /// Has OGRE read the files that were written so far, into a group of the global pool.
+    /// Has OGRE read the files that were written so far.
     void parse() const {
         auto& groups = Ogre::ResourceGroupManager::getSingleton();
-        groups.createResourceGroup(Group, true);
-        groups.addResourceLocation(mFolder.string(), "FileSystem", Group);
-        groups.initialiseResourceGroup(Group);
+        groups.createResourceGroup(mGroup, mIsInGlobalPool);
+        groups.addResourceLocation(mFolder.string(), "FileSystem", mGroup);
+        groups.initialiseResourceGroup(mGroup);
     }
-    static std::vector<std::string> reload() { return Lixel::reload(Group); }
+    std::vector<std::string> reload() const { return Lixel::reload(mGroup); }
 
 private:
+    std::string mGroup;
+    bool mIsInGlobalPool;
     std::filesystem::path mFolder;
 };
 

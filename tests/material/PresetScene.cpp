@@ -1,29 +1,15 @@
 #include "PresetScene.h"
 
-#include <unistd.h>
-
-#include <fstream>
-
 namespace Lixel::Tests {
 
 EditedScript::EditedScript(const std::string& text, const std::string& group, bool isInGlobalPool)
-    : mGroup(group),
-      mFolder(std::filesystem::temp_directory_path() /
-              ("lixel-presets-" + group + "-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(mFolder);
+    : mGroup(group), mFolder(group, isInGlobalPool) {
     write(text);
-    auto& groups = Ogre::ResourceGroupManager::getSingleton();
-    groups.createResourceGroup(mGroup, isInGlobalPool);
-    groups.addResourceLocation(mFolder.string(), "FileSystem", mGroup);
-    groups.initialiseResourceGroup(mGroup);
-}
-
-EditedScript::~EditedScript() {
-    std::filesystem::remove_all(mFolder);
+    mFolder.parse();
 }
 
 void EditedScript::write(const std::string& text) const {
-    std::ofstream(mFolder / "my.shadow") << text;
+    mFolder.write("my.shadow", text);
 }
 
 std::size_t EditedScript::edit(const std::string& text) const {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "EditedFolder.h"
 #include "MaterialScene.h"
 
 #include <Lixel/script/ShadowCameraSetupManager.h>
 
-#include <filesystem>
 #include <string>
 
 namespace Lixel::Tests {
@@ -16,9 +16,6 @@ class EditedScript {
 public:
     explicit EditedScript(const std::string& text, const std::string& group = EditedGroup,
                           bool isInGlobalPool = true);
-    ~EditedScript();
-    EditedScript(const EditedScript&) = delete;
-    EditedScript& operator=(const EditedScript&) = delete;
 
     void write(const std::string& text) const;
     /// @return how many errors there were
@@ -26,7 +23,7 @@ public:
 
 private:
     std::string mGroup;
-    std::filesystem::path mFolder;
+    EditedFolder mFolder;
 };
 
 void apply(const std::string& name, Ogre::Light& light);

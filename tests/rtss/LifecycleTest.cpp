@@ -93,10 +93,10 @@ TEST_F(ShaderSystemLifecycle, MaterialsMayBeReloaded) {
     ASSERT_TRUE(isOther(white, lit));
     for (int i = 0; i < 3; ++i) {
         write("0.5 0.5 0.5");
-        EXPECT_EQ(EditedFolder::reload(), std::vector<std::string>());
+        EXPECT_EQ(folder.reload(), std::vector<std::string>());
         EXPECT_TRUE(isOther(scene->draw(), white));
         write("1 1 1");
-        EXPECT_EQ(EditedFolder::reload(), std::vector<std::string>());
+        EXPECT_EQ(folder.reload(), std::vector<std::string>());
         EXPECT_EQ(scene->draw(), white);
     }
 }
