@@ -1,9 +1,9 @@
 #include "rtss/TransformedCasters.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
 #include <OgreGpuProgramManager.h>
 #include <OgreGpuProgramParams.h>
-#include <OgreHighLevelGpuProgram.h>
-#include <OgreHighLevelGpuProgramManager.h>
 #include <OgreMaterial.h>
 #include <OgreMaterialManager.h>
 #include <OgreMeshManager.h>
@@ -127,8 +127,8 @@ void copySurface(const Ogre::Pass& surface, Ogre::Pass& caster) {
 /// The vertex program, of this name and in this group.
 void makeProgram(const std::string& name, const Ogre::String& group,
                  const VertexTransform& transform) {
-    const auto program = Ogre::HighLevelGpuProgramManager::getSingleton().createProgram(
-        name, group, "glsl", Ogre::GPT_VERTEX_PROGRAM);
+    const Ogre::GpuProgramPtr program =
+        createProgram(name, group, "glsl", Ogre::GPT_VERTEX_PROGRAM);
     program->setSourceFile("LixelCasterPlaced.vert");
     if (transform.isSkinned()) {
         program->setParameter("preprocessor_defines",

@@ -227,7 +227,7 @@ TEST_F(ShaderSystemMaterials, WithShadowUnitsOfTheirOwnAreNamedInTheLog) {
         << log.all();
 }
 
-/// Its lights are arrays in OGRE 13, of which a program can dim none, and can since 14.
+/// Its lights are arrays. OGRE 13 cannot dim one of them; OGRE 14 can.
 TEST_F(ShaderSystemMaterials, OfMetalAndRoughnessAreShadowedOrNamedInTheLog) {
     if (generator().getSubRenderStateFactory("CookTorranceLighting") == nullptr)
         GTEST_SKIP() << "there is no metal_roughness in this OGRE";

@@ -5,7 +5,7 @@
     Only AVX2, without fused multiplication and addition, so that every processor computes the same
     bits. Sanitizers instrument the choice itself, which runs before they are ready.
 
-    A function has it where whole fits gain more than 5 %. Time without it, relative to the time
+    A function has it where the fits that use it gain more than 5 %. Time without it, relative to the time
     with it, in lixel-bench-fit: geometric mean of all techniques, lights and 10 to 10 000 boxes, and
     the most.
 

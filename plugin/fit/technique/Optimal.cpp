@@ -75,12 +75,12 @@ const FitTechnique& OptimalOptions::technique() {
     static constexpr std::array options{
         option<&OptimalOptions::samples>(
             "samples", between(1, MostSamples), "",
-            "points of the picture by which warps are judged, at most; "
-            "about half as many where shadows fill little of the picture"),
+            "points of the picture by which warps are judged, at most; about half as many where "
+            "shadows fill little of the picture"),
         option<&OptimalOptions::evaluations>(
             "evaluations", between(LeastEvaluations, MostEvaluations), "",
-            "warps judged after a camera cut; a quarter of it, and at "
-            "least 8, in a frame that follows another"),
+            "warps judged after a camera cut; a quarter of it, and at least 8, in a frame that "
+            "follows another"),
     };
     static constexpr FitTechnique declared = declare<OptimalOptions, optimalWarp>(
         "Optimal", "texels smallest where the viewer looks", "Chong 2006, §3.3", options);

@@ -98,9 +98,9 @@ const FitTechnique& PlaneOptimalOptions::technique() {
                                               "the plane in the world that the map is made for"),
         option<&PlaneOptimalOptions::exact>(
             "exact",
-            "whether the map is exactly the viewer's picture of the plane, free of aliasing "
-            "there, while receivers that it has no place for stay lit; without, the plane "
-            "picks the warp and everything is served"),
+            "whether the map is exactly the viewer's picture of the plane, free of aliasing there, "
+            "while receivers that it has no place for stay lit; without, the plane picks the warp "
+            "and everything is served"),
     };
     static constexpr FitTechnique declared = declare<PlaneOptimalOptions, planeOptimalWarp>(
         "PlaneOptimal", "warped as one plane wants it, such as the ground",

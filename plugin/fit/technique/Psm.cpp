@@ -66,8 +66,7 @@ const FitTechnique& PsmOptions::technique() {
         option<&PsmOptions::slideBack>(
             "slide_back", atLeast(0.0), "",
             "how far the virtual viewer slides back, relative to the geometric mean of the nearest "
-            "and "
-            "farthest receiver's depth: 0 favours the near, 1 makes near and far alike"),
+            "and farthest receiver's depth: 0 favours the near, 1 makes near and far alike"),
     };
     static constexpr FitTechnique declared =
         declare<PsmOptions, psmWarp>("PSM", "perspective, in the viewer's space",

@@ -101,8 +101,8 @@ const FitTechnique& TrapezoidalOptions::technique() {
     static constexpr std::array options{
         option<&TrapezoidalOptions::focusDistance>(
             "focus_distance", strictlyBetween(0.0, 1.0), "",
-            "up to where the focus reaches, as a part of the "
-            "distance to the farthest receiver that matters"),
+            "up to where the focus reaches, as a part of the distance to the farthest receiver "
+            "that matters"),
         option<&TrapezoidalOptions::focusShare>("focus_share", strictlyBetween(0.0, 1.0), "",
                                                 "how much of the map the focus takes"),
     };

@@ -19,8 +19,8 @@ const FitTechnique& UniformOptions::technique() {
         option<&UniformOptions::stable>(
             "stable",
             "texels that stay where they are in the world while the viewer turns and moves, "
-            "instead of a map that is focused: set a shadow distance with it, or use it for "
-            "the slices of cascades"),
+            "instead of a map that is focused: set a shadow distance with it, or use it for the "
+            "slices of cascades"),
     };
     static constexpr FitTechnique declared = declare<UniformOptions, uniformWarp>(
         "Uniform", "uniform, focused on visible receivers", "Williams 1978", options);

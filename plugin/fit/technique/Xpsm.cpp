@@ -92,14 +92,15 @@ const FitTechnique& XpsmOptions::technique() {
         option<&XpsmOptions::strength>(
             "strength", atLeast(0.0), "",
             "strength of the warp: 0 is uniform, 1 is LiSPSM's balance of near and far"),
-        option<&XpsmOptions::epsilonW>("epsilon_w", aboveAndAtMost(0.0, 1.0), "",
-                                       "Gusev's εW: the least denominator in the focus region, "
-                                       "relative to the viewer's; near 1 a "
-                                       "caster behind the viewer dampens the warp more"),
-        option<&XpsmOptions::guarded>("guarded", "whether the warp is weakened where that makes "
-                                                 "texels smaller in the picture, so that it "
-                                                 "is never expected to be worse than a uniform "
-                                                 "map; without, it is literally the paper's"),
+        option<&XpsmOptions::epsilonW>(
+            "epsilon_w", aboveAndAtMost(0.0, 1.0), "",
+            "Gusev's εW: the least denominator in the focus region, relative to the viewer's; near "
+            "1 a caster behind the viewer dampens the warp more"),
+        option<&XpsmOptions::guarded>(
+            "guarded",
+            "whether the warp is weakened where that makes texels smaller in the picture, so that "
+            "it is never expected to be worse than a uniform map; without, it is literally the "
+            "paper's"),
     };
     static constexpr FitTechnique declared = declare<XpsmOptions, xpsmWarp>(
         "XPSM", "extended perspective shadow map", "Gusev 2007", options);
