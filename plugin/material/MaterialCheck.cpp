@@ -204,6 +204,17 @@ void MaterialCheck::checkBending(const Ogre::Pass& pass, Ogre::Renderable& rende
         "(a material whose vertex program includes no animation)" + Manual);
 }
 
+void MaterialCheck::checkHoles(const Ogre::Pass& caster, Ogre::Renderable& renderable) {
+    const Ogre::CompareFunction kept = caster.getAlphaRejectFunction();
+    if (kept == Ogre::CMPF_ALWAYS_PASS || kept == Ogre::CMPF_GREATER_EQUAL ||
+        kept == Ogre::CMPF_GREATER || !writesCasterDepth(caster))
+        return;
+    say("material " + quoted(wornBy(renderable)) +
+        " has an alpha_rejection that Lixel's casters and surfaces take for greater_equal: write "
+        "greater_equal, and turn the texture's alpha around where it was meant to be less" +
+        Manual);
+}
+
 void MaterialCheck::checkReceiver(const Ogre::Pass& pass) {
     // By its programs: OGRE sets the blending to that of the technique.
     const bool isAdditive = mapsRead(pass, 0) > 0;
@@ -268,6 +279,7 @@ void MaterialCheck::notifyRenderSingleObject(Ogre::Renderable* renderable, const
     if (stage == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) {
         if (mCasters.count(pass) == 0) mCasters[pass] = wornBy(*renderable);
         checkBending(*pass, *renderable, true);
+        checkHoles(*pass, *renderable);
         return;
     }
     if (mDrawn.insert(pass).second) {

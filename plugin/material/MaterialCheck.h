@@ -74,6 +74,7 @@ private:
     void checkUnits(const Ogre::Pass& pass, Ogre::Renderable& renderable);
     void checkInstances(const Ogre::Pass& pass, Ogre::Renderable& renderable);
     void checkBending(const Ogre::Pass& pass, Ogre::Renderable& renderable, bool isCaster);
+    void checkHoles(const Ogre::Pass& caster, Ogre::Renderable& renderable);
     void checkCasters();
     void checkLights(const std::set<const Ogre::Light*>& withMaps);
     void say(const std::string& message);

@@ -5,6 +5,8 @@
 #include "material/ProgramCheck.h"
 #include "scene/OgreVersions.h"
 
+#include <OgrePass.h>
+#include <OgreTechnique.h>
 #include <OgreTexture.h>
 #include <OgreTextureUnitState.h>
 
@@ -15,6 +17,7 @@ namespace Lixel {
 namespace {
 
 const std::string Sampler = "shadowMap";
+const char* const DiffuseMap = "DiffuseMap";
 const char* const MapIsIn = "OGRE puts that map into";
 
 /// The texture unit that a sampler of this name is set to; none where there is no such sampler.
@@ -36,11 +39,30 @@ bool isOneTexel(const Ogre::TextureUnitState& unit) {
     return texture && texture->getWidth() == 1 && texture->getHeight() == 1;
 }
 
+bool hasUnit(const Ogre::Pass& pass, const char* name) {
+    return std::ranges::count(pass.getTextureUnitStates(), name,
+                              &Ogre::TextureUnitState::getName) > 0;
+}
+
+bool rejectsAlpha(const Ogre::Pass& pass) {
+    return pass.getAlphaRejectFunction() != Ogre::CMPF_ALWAYS_PASS;
+}
+
+/// Holes of one of a technique's passes that this one fills.
+void addFilledHoles(const Ogre::Pass& pass, std::vector<std::string>& wrong) {
+    if (rejectsAlpha(pass)) return;
+    for (const Ogre::Pass* other : pass.getParent()->getPasses())
+        if (rejectsAlpha(*other) && hasUnit(*other, DiffuseMap))
+            wrong.push_back("pass '" + pass.getName() + "' fills the holes of pass '" +
+                            other->getName() + "': give it the same alpha_rejection");
+}
+
 /// Slips with the unit DiffuseMap, which is the one of that index.
 void addSlipsWithDiffuseMap(const Ogre::Pass& pass, std::size_t index,
                             std::vector<std::string>& wrong) {
     const auto& states = pass.getTextureUnitStates();
     const Ogre::TextureUnitState& diffuseMap = *states[index];
+    addFilledHoles(pass, wrong);
     if (!diffuseMap.getTextureName().empty()) {
         if (isOneTexel(diffuseMap))
             wrong.push_back("texture '" + diffuseMap.getTextureName() +
@@ -88,7 +110,7 @@ std::vector<std::string> findWrongUnits(const Ogre::Pass& pass, bool integrated)
             check(Sampler, static_cast<std::size_t>(own - states.begin()), "ShadowMap is");
     }
     for (std::size_t i = 0; i < states.size(); ++i) {
-        if (states[i]->getName() != "DiffuseMap") continue;
+        if (states[i]->getName() != DiffuseMap) continue;
         check("diffuseMap", i, "DiffuseMap is");
         addSlipsWithDiffuseMap(pass, i, wrong);
     }

@@ -193,6 +193,14 @@ inline bool ogreClampsDepth([[maybe_unused]] const Ogre::Light& light) {
 #endif
 }
 
+/// Has each object lit by the lights that its own light mask allows, for all scene managers. Since
+/// 14.3 OGRE does that only on demand: by default all objects share the lights of the frame.
+inline void useLightMasksOfObjects([[maybe_unused]] bool use) {
+#if OGRE_MIN_VERSION(14, 3, 0)
+    Ogre::SceneManager::usePerRenderableLights(use);
+#endif
+}
+
 /// Whether OGRE can draw a light's shadows, if it casts any. Since 13.6 it sets a camera of its own
 /// up from the light, to cull with, and asserts on what is not finite, and on a negative distance,
 /// whatever setup the light has.

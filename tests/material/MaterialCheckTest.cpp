@@ -133,6 +133,18 @@ INSTANTIATE_TEST_SUITE_P(
                   "Lixel/Receiver",
                   "Test/UnitWithoutAName",
                   {"texture 'any.png' is in a unit without a name, which nothing reads"}},
+        WrongCase{"HolesInOnePass",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                  "Lixel/Receiver",
+                  "Test/HolesInOnePass",
+                  {"material 'Test/HolesInOnePass': pass 'Ambient' fills the holes of pass 'Light': "
+                   "give it the same alpha_rejection"}},
+        WrongCase{"HolesWhereAlphaIsGreat",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+                  "Lixel/Receiver",
+                  "Test/HolesWhereAlphaIsGreat",
+                  {"material 'Test/HolesWhereAlphaIsGreat' has an alpha_rejection that Lixel's "
+                   "casters and surfaces take for greater_equal"}},
         WrongCase{"UnitInPlaceOfAMap",
                   Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
                   "",

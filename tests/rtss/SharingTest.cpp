@@ -2,6 +2,7 @@
 
 #include "ShaderSystemScene.h"
 
+#include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/ShadowCameraSetups.h>
 
 namespace Lixel::Tests {
@@ -15,7 +16,9 @@ protected:
         scene.addLamp();
         scene.setMaps(3, 1, 6);
         Lixel::ShaderSystem::enable(scene.shaderSystem.generator);
+        useLightMasksOfObjects(true);
     }
+    ~ShaderSystemSharing() override { useLightMasksOfObjects(false); }
 
     /// The sum of what is drawn with each light alone.
     Picture sumOfLights(const std::vector<std::string>& names = {"sun", "spot", "lamp"}) {
