@@ -40,7 +40,8 @@ struct EmulatedMap {
     their texels are and which casters their depth range clips. One nearest tap decides; a point
     outside the map, or with w <= 0, is lit.
 
-    Left out are the rounding of depths to a texture's format and the culling of casters.
+    Left out are the rounding of depths to a texture's format, the culling of casters, and the
+    smaller mip levels of textures that cut holes.
 */
 class MapEmulation {
 public:

@@ -1,11 +1,9 @@
 #include "common/ShadowOracle.h"
 
+#include "common/EmbreeScene.h"
 #include "common/Parallel.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -16,72 +14,7 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr unsigned VisibleMask = 1U; ///< met by the viewer's rays
-constexpr unsigned CastingMask = 2U; ///< met by shadow rays too
-
-/** How far a shadow ray starts in front of its surface, as a fraction of the scene's half extent S.
-
-    Embree's floats round a vertex by at most S 2^-25 per axis, the ray's origin by as much, and its
-    robust intersector both differences once more: together below sqrt(3) 4 S 2^-25 < S 2^-22 along
-    the normal. Eight times that keeps the origin in front of its own plane and of neighbours that
-    are nearly coplanar, and is 1 mm in a scene of 1 km.
-*/
-constexpr double RayOffset = 1.0 / (1 << 19);
-
-constexpr std::size_t PacketSize = 8; ///< rays that are traced at once
-
-struct DeviceRelease {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct SceneRelease {
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
-using Scene = std::unique_ptr<RTCSceneTy, SceneRelease>;
-
-/// The triangles of one Embree geometry, by its primitive number.
-struct Group {
-    const std::vector<Triangle>* all = nullptr;
-    std::vector<std::uint32_t> members;
-};
-
-/// What Embree hands on to the filter: which faces a query sees.
-struct FaceContext {
-    RTCIntersectContext embree; ///< first, as the filter is given its address
-    CasterFaces faces;
-
-    explicit FaceContext(CasterFaces seen) : faces(seen) {
-        rtcInitIntersectContext(&embree);
-        embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    }
-};
-
-/// Embree's filter for the viewer's and a map's rays: a face that is turned the other way is not
-/// drawn.
-void skipOtherFaces(const RTCFilterFunctionNArguments* arguments) {
-    const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
-    const bool fronts =
-        reinterpret_cast<const FaceContext*>(arguments->context)->faces == CasterFaces::Fronts;
-    for (unsigned i = 0; i < arguments->N; ++i) {
-        if (arguments->valid[i] == 0) continue;
-        const unsigned n = arguments->N;
-        const std::uint32_t member = group.members[RTCHitN_primID(arguments->hit, n, i)];
-        const float facing =
-            RTCRayN_dir_x(arguments->ray, n, i) * RTCHitN_Ng_x(arguments->hit, n, i) +
-            RTCRayN_dir_y(arguments->ray, n, i) * RTCHitN_Ng_y(arguments->hit, n, i) +
-            RTCRayN_dir_z(arguments->ray, n, i) * RTCHitN_Ng_z(arguments->hit, n, i);
-        const bool shown = fronts ? facing < 0.0F : facing > 0.0F;
-        if (!shown && !(*group.all)[member].drawnFromBack) arguments->valid[i] = 0;
-    }
-}
-
-/// The viewer's ray through a pixel, from the near plane to the far one.
-struct ViewRay {
-    Vector3d origin;
-    Vector3d direction; ///< unit length
-    double length;      ///< infinite without a far plane
-};
-
+/// The viewer's rays through pixels, from the near plane to the far one; infinite without one.
 class ViewRays {
 public:
     explicit ViewRays(const OracleView& view)
@@ -95,7 +28,7 @@ public:
     }
 
     /// Nothing where the projection has no point on the near plane.
-    std::optional<ViewRay> through(int column, int row) const {
+    std::optional<CasterRay> through(int column, int row) const {
         const double x = (column + 0.5) / mWidth * 2.0 - 1.0;
         const double y = 1.0 - (row + 0.5) / mHeight * 2.0;
         const Vector4d near = mWsFromClip * Vector4d(x, y, -1.0, 1.0);
@@ -104,7 +37,7 @@ public:
         const Vector4d middle = mWsFromClip * Vector4d(x, y, 0.0, 1.0);
         const Vector4d far = mWsFromClip * Vector4d(x, y, 1.0, 1.0);
         if (!(near.w() > 0.0) || !(middle.w() > 0.0)) return std::nullopt;
-        ViewRay ray;
+        CasterRay ray;
         ray.origin = near.hnormalized();
         ray.direction = (middle.hnormalized() - ray.origin).normalized();
         ray.length = far.w() > 0.0 ? (far.hnormalized() - ray.origin).norm()
@@ -126,103 +59,47 @@ void requireValid(const OracleLight& light) {
         throw std::invalid_argument("ShadowOracle: a light's position must be finite");
 }
 
-RTCRay makeRay(const Vector3d& origin, const Vector3d& direction, double length, unsigned mask) {
-    RTCRay ray{};
-    ray.org_x = static_cast<float>(origin.x());
-    ray.org_y = static_cast<float>(origin.y());
-    ray.org_z = static_cast<float>(origin.z());
-    ray.dir_x = static_cast<float>(direction.x());
-    ray.dir_y = static_cast<float>(direction.y());
-    ray.dir_z = static_cast<float>(direction.z());
-    ray.tnear = 0.0F;
-    ray.tfar = static_cast<float>(length);
-    ray.mask = mask;
-    return ray;
+void requireValid(const AlphaMask& mask) {
+    if (mask.width < 1 || mask.height < 1 ||
+        mask.alpha.size() !=
+            static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height))
+        throw std::invalid_argument("ShadowOracle: a mask has not one alpha per texel");
+}
+
+const TriangleScene& requireValid(const TriangleScene& scene) {
+    for (const AlphaMask& mask : scene.masks)
+        requireValid(mask);
+    for (const Triangle& triangle : scene.triangles) {
+        const bool masked = triangle.mask != NoMask;
+        if (masked && triangle.mask >= scene.masks.size())
+            throw std::invalid_argument("ShadowOracle: an index beyond the masks");
+        for (const std::uint32_t vertex : triangle.vertices) {
+            if (vertex >= scene.positions.size())
+                throw std::invalid_argument("ShadowOracle: an index beyond the vertices");
+            if (!scene.positions[vertex].allFinite())
+                throw std::invalid_argument("ShadowOracle: a position is not finite");
+            if (masked && (vertex >= scene.uvs.size() || !scene.uvs[vertex].allFinite()))
+                throw std::invalid_argument(
+                    "ShadowOracle: a masked triangle lacks texture coordinates");
+        }
+    }
+    return scene;
 }
 
 } // namespace
 
 struct ShadowOracle::Impl {
     TriangleScene scene;
-    /// Embree sees positions relative to this, so that its floats round as little as they can.
-    Vector3d centre = Vector3d::Zero();
-    double rayOffset = 0.0; ///< world units
-    Group casting;
-    Group others;
-    Device device;
-    Scene embree;
+    EmbreeScene embree;
 
-    explicit Impl(TriangleScene triangles) : scene(std::move(triangles)) {
-        validate();
-        const Eigen::AlignedBox3d box = scene.box();
-        if (!box.isEmpty()) {
-            centre = box.center();
-            rayOffset = RayOffset * (0.5 * box.sizes()).maxCoeff();
-        }
-        for (std::uint32_t i = 0; i < scene.triangles.size(); ++i)
-            (scene.triangles[i].casts ? casting : others).members.push_back(i);
-        casting.all = others.all = &scene.triangles;
+    explicit Impl(TriangleScene triangles)
+        : scene(std::move(triangles)), embree(requireValid(scene)) {}
 
-        device.reset(rtcNewDevice(nullptr));
-        if (!device) throw std::runtime_error("ShadowOracle: Embree gives no device");
-        embree.reset(rtcNewScene(device.get()));
-        rtcSetSceneFlags(embree.get(), RTC_SCENE_FLAG_ROBUST);
-        attach(casting, VisibleMask | CastingMask);
-        attach(others, VisibleMask);
-        rtcCommitScene(embree.get());
-        if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE)
-            throw std::runtime_error("ShadowOracle: Embree cannot build the scene");
-    }
-
-    void validate() const {
-        for (const Triangle& triangle : scene.triangles) {
-            for (const std::uint32_t vertex : triangle.vertices) {
-                if (vertex >= scene.positions.size())
-                    throw std::invalid_argument("ShadowOracle: an index beyond the vertices");
-                if (!scene.positions[vertex].allFinite())
-                    throw std::invalid_argument("ShadowOracle: a position is not finite");
-            }
-        }
-    }
-
-    /// A geometry of its own per mask, since Embree's masks are per geometry.
-    void attach(Group& group, unsigned mask) {
-        if (group.members.empty()) return;
-        RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        const std::size_t corners = group.members.size() * 3;
-        auto* vertices = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    3 * sizeof(float), scene.positions.size()));
-        auto* indices = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    3 * sizeof(std::uint32_t), corners / 3));
-        if (!vertices || !indices)
-            throw std::runtime_error("ShadowOracle: Embree has no memory for the scene");
-        for (const Vector3d& position : scene.positions)
-            for (int axis = 0; axis < 3; ++axis)
-                *vertices++ = static_cast<float>(position(axis) - centre(axis));
-        for (const std::uint32_t member : group.members)
-            for (const std::uint32_t vertex : scene.triangles[member].vertices)
-                *indices++ = vertex;
-        rtcSetGeometryMask(geometry, mask);
-        rtcSetGeometryUserData(geometry, &group);
-        rtcSetGeometryIntersectFilterFunction(geometry, skipOtherFaces);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(embree.get(), geometry, mask);
-        rtcReleaseGeometry(geometry);
-    }
-
-    std::optional<SurfacePoint> hit(const ViewRay& ray) const {
-        FaceContext context(CasterFaces::Fronts);
-        RTCRayHit query{};
-        query.ray = makeRay(ray.origin - centre, ray.direction, ray.length, VisibleMask);
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(embree.get(), &context.embree, &query);
-        if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-
-        const Group& group = (query.hit.geomID & CastingMask) != 0 ? casting : others;
+    std::optional<SurfacePoint> hit(const CasterRay& ray) const {
+        const auto found = embree.firstVisible(ray);
+        if (!found) return std::nullopt;
         SurfacePoint point;
-        point.triangle = group.members[query.hit.primID];
+        point.triangle = found->triangle;
         const auto& corners = scene.triangles[point.triangle].vertices;
         const Vector3d& a = scene.positions[corners[0]];
         const Vector3d& b = scene.positions[corners[1]];
@@ -231,52 +108,20 @@ struct ShadowOracle::Impl {
         if (point.normal.dot(ray.direction) > 0.0) point.normal = -point.normal;
         // Embree found which triangle; where on it the pixel lies is a division in double.
         double t = (a - ray.origin).dot(point.normal) / ray.direction.dot(point.normal);
-        const double rough = static_cast<double>(query.ray.tfar);
-        if (!(std::abs(t - rough) <= 1e-3 * rough + 16.0 * rayOffset)) t = rough;
+        const double rough = found->distance;
+        if (!(std::abs(t - rough) <= 1e-3 * rough + 16.0 * embree.rayOffset())) t = rough;
         point.position = ray.origin + t * ray.direction;
         return point;
     }
 
     bool occluded(const SurfacePoint& point, const OracleLight& light) const {
-        const Vector3d start = point.position + rayOffset * point.normal;
-        Vector3d direction = -light.direction;
-        double length = std::numeric_limits<double>::infinity();
+        CasterRay ray{point.position + embree.rayOffset() * point.normal, -light.direction,
+                      std::numeric_limits<double>::infinity()};
         if (light.kind != OracleLight::Kind::Directional) {
-            length = (light.position - start).norm();
-            direction = (light.position - start) / length;
+            ray.length = (light.position - ray.origin).norm();
+            ray.direction = (light.position - ray.origin) / ray.length;
         }
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRay ray = makeRay(start - centre, direction, length, CastingMask);
-        rtcOccluded1(embree.get(), &context, &ray);
-        return ray.tfar < 0.0F;
-    }
-
-    /// The first `count` of eight rays at once: neighbours meet the same nodes.
-    void firstCasters(const CasterRay* rays, double* distances, std::size_t count,
-                      CasterFaces faces) const {
-        alignas(32) std::array<int, PacketSize> valid{};
-        RTCRayHit8 query{};
-        for (std::size_t i = 0; i < count; ++i) {
-            valid[i] = rays[i].length > 0.0 ? -1 : 0;
-            const RTCRay ray =
-                makeRay(rays[i].origin - centre, rays[i].direction, rays[i].length, CastingMask);
-            query.ray.org_x[i] = ray.org_x;
-            query.ray.org_y[i] = ray.org_y;
-            query.ray.org_z[i] = ray.org_z;
-            query.ray.dir_x[i] = ray.dir_x;
-            query.ray.dir_y[i] = ray.dir_y;
-            query.ray.dir_z[i] = ray.dir_z;
-            query.ray.tfar[i] = ray.tfar;
-            query.ray.mask[i] = ray.mask;
-            query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        }
-        FaceContext context(faces);
-        rtcIntersect8(valid.data(), embree.get(), &context.embree, &query);
-        for (std::size_t i = 0; i < count; ++i)
-            distances[i] = valid[i] != 0 && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID
-                               ? static_cast<double>(query.ray.tfar[i])
-                               : std::numeric_limits<double>::infinity();
+        return embree.isBlocked(ray);
     }
 };
 
@@ -354,13 +199,14 @@ void ShadowOracle::firstCasters(std::span<const CasterRay> rays, CasterFaces fac
                                 std::span<double> distances) const {
     if (rays.size() != distances.size())
         throw std::invalid_argument("ShadowOracle: a distance is asked for each ray");
-    for (std::size_t i = 0; i < rays.size(); i += PacketSize)
-        mImpl->firstCasters(rays.data() + i, distances.data() + i,
-                            std::min(PacketSize, rays.size() - i), faces);
+    constexpr std::size_t Packet = EmbreeScene::PacketSize;
+    for (std::size_t i = 0; i < rays.size(); i += Packet)
+        mImpl->embree.firstCasters(rays.data() + i, distances.data() + i,
+                                   std::min(Packet, rays.size() - i), faces);
 }
 
 double ShadowOracle::rayOffset() const {
-    return mImpl->rayOffset;
+    return mImpl->embree.rayOffset();
 }
 
 } // namespace Lixel::Samples

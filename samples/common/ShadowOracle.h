@@ -75,7 +75,7 @@ using VisiblePoints = Raster<std::optional<SurfacePoint>>;
 /// Which faces of solid bodies are drawn; of triangles with Triangle::drawnFromBack both are.
 enum class CasterFaces : std::uint8_t { Fronts, Backs };
 
-/// A piece of a light ray on which a caster is looked for.
+/// A piece of a ray on which a triangle is looked for.
 struct CasterRay {
     Eigen::Vector3d origin;    ///< relative to TriangleScene::wsOrigin
     Eigen::Vector3d direction; ///< unit vector
@@ -86,13 +86,16 @@ struct CasterRay {
 
     A viewer sees only the fronts of triangles, as OGRE's culling draws them (both sides where
     Triangle::drawnFromBack); between the near and the far plane. Light is blocked by both sides of
-    casting triangles, at any distance. All methods are const and may run in parallel.
+    casting triangles, at any distance. Rays of all kinds go through the holes of masks, which are
+    found where the ray meets the triangle: alpha is not averaged over a pixel or a map's texel. All
+    methods are const and may run in parallel.
 */
 class ShadowOracle {
 public:
     /** Copies the scene.
-        @exception std::invalid_argument for an index beyond the vertices or a position that is not
-        finite; std::runtime_error when Embree gives no device.
+        @exception std::invalid_argument for an index beyond the vertices or the masks, a position
+        that is not finite, a mask without an alpha per texel, or a masked triangle without finite
+        texture coordinates; std::runtime_error when Embree gives no device.
     */
     explicit ShadowOracle(TriangleScene scene);
     ~ShadowOracle();

@@ -1,110 +1,75 @@
 #include "common/Triangles.h"
 
-#include <Lixel/scene/MeshBuffers.h>
-#include <Lixel/scene/OgreMath.h>
+#include "common/BlendedPose.h"
+#include "common/TriangleCollector.h"
 
 #include <Ogre.h>
+#include <OgreInstanceBatch.h>
+#include <OgreInstanceBatchShader.h>
+#include <OgreInstanceBatchVTF.h>
+#include <OgreInstancedEntity.h>
 
 namespace Lixel::Samples {
 namespace {
 
-/// Float world matrix as OGRE hands it to the GPU, taken relative to an origin in double.
-Eigen::Affine3d relativeTransform(const Ogre::Matrix4& wsFromObject,
-                                  const Eigen::Vector3d& origin) {
-    Eigen::Affine3d transform(toDouble(wsFromObject));
-    transform.pretranslate(-origin);
-    return transform;
-}
-
-/// The pass that decides which sides are drawn; null for a material without any.
-const Ogre::Pass* firstPass(const Ogre::Material& material) {
-    const auto& supported = material.getSupportedTechniques();
-    const auto& all = material.getTechniques();
-    const Ogre::Technique* technique =
-        !supported.empty() ? supported.front() : (all.empty() ? nullptr : all.front());
-    return technique && technique->getNumPasses() > 0 ? technique->getPass(0) : nullptr;
-}
-
-/// Appends what one movable object draws.
-class Collector : public Ogre::Renderable::Visitor {
-public:
-    Collector(TriangleScene& scene, const Ogre::SceneManager& sceneManager)
-        : mScene(scene), mFlipMirrored(sceneManager.getFlipCullingOnNegativeScale()) {}
-
-    void collect(Ogre::MovableObject& object) {
-        mObject = &object;
-        object.visitRenderables(this, false);
+/// How often a batch's buffers hold the mesh: once where the hardware repeats it. OGRE returns the
+/// number nowhere, but a derived class may name it.
+struct BatchSize : Ogre::InstanceBatch {
+    static std::size_t of(const Ogre::InstanceBatch& batch) {
+        return batch.*(&BatchSize::mInstancesPerBatch);
     }
+};
+
+std::size_t copiesInBuffers(const Ogre::InstanceBatch& batch) {
+    const bool repeats = dynamic_cast<const Ogre::InstanceBatchShader*>(&batch) ||
+                         dynamic_cast<const Ogre::InstanceBatchVTF*>(&batch);
+    return repeats ? BatchSize::of(batch) : 1;
+}
+
+/// Adds the parts of one object.
+class PartVisitor : public Ogre::Renderable::Visitor {
+public:
+    PartVisitor(TriangleCollector& collector, Ogre::MovableObject& object, const BlendedPose* pose)
+        : mCollector(collector), mObject(object), mPose(pose) {}
+
+    void visitAll() { mObject.visitRenderables(this, false); }
 
     void visit(Ogre::Renderable* renderable, Ogre::ushort lod, bool debug, Ogre::Any*) override {
         // Other levels of detail of the same object come with a number above 0; what skips the
         // projection is drawn on the screen, not in the world.
         if (lod > 0 || debug || renderable->getUseIdentityProjection()) return;
-        const auto* part = dynamic_cast<const Ogre::SubEntity*>(renderable);
+        auto* const part = dynamic_cast<Ogre::SubEntity*>(renderable);
         if (part && !part->isVisible()) return;
-        if (renderable->getNumWorldTransforms() != 1)
-            OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                        "'" + mObject->getName() +
-                            "' is skinned in hardware: its pose cannot be read back",
-                        "collectTriangles");
-        append(*renderable);
+        Ogre::RenderOperation operation;
+        renderable->getRenderOperation(operation);
+        if (part && mPose) operation.vertexData = mPose->verticesOf(*part, operation.vertexData);
+        mCollector.add(mCollector.read(mObject, renderable->getMaterial(), operation),
+                       wsFromObject(*renderable, part), TriangleCollector::isMirrored(*renderable));
     }
 
 private:
-    void append(Ogre::Renderable& renderable) {
-        Ogre::RenderOperation operation;
-        renderable.getRenderOperation(operation);
-        if (!operation.vertexData || operation.vertexData->vertexCount == 0) return;
-        const std::vector<TriangleCorners> corners = readTriangles(operation);
-        if (corners.empty()) return;
-
-        Ogre::Matrix4 wsFromObject;
-        renderable.getWorldTransforms(&wsFromObject);
-        const Eigen::Affine3d transform = relativeTransform(wsFromObject, mScene.wsOrigin);
-        const std::size_t first = mScene.positions.size();
-        for (const Vec3& position : readPositions(*operation.vertexData))
-            mScene.positions.push_back(transform * position);
-
-        bool turned = mFlipMirrored && transform.linear().determinant() < 0.0;
-        const Triangle flags = flagsOf(renderable.getMaterial(), turned);
-        for (TriangleCorners triangle : corners) {
-            if (turned) std::swap(triangle[1], triangle[2]);
-            for (std::uint32_t& vertex : triangle) {
-                if (vertex >= operation.vertexData->vertexCount)
-                    OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                                "'" + mObject->getName() + "' has an index beyond its vertices",
-                                "collectTriangles");
-                vertex += static_cast<std::uint32_t>(first);
-            }
-            mScene.triangles.push_back(flags);
-            mScene.triangles.back().vertices = triangle;
-        }
+    Ogre::Matrix4 wsFromObject(const Ogre::Renderable& renderable,
+                               const Ogre::SubEntity* part) const {
+        // A part that a GPU skins has a matrix for each bone.
+        if (part) return part->getParent()->_getParentNodeFullTransform();
+        if (renderable.getNumWorldTransforms() != 1)
+            OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                        "'" + mObject.getName() + "' has more than one world matrix",
+                        "collectTriangles");
+        Ogre::Matrix4 transform;
+        renderable.getWorldTransforms(&transform);
+        return transform;
     }
 
-    /// Flags of every triangle of this material; `turned` is inverted where its front is clockwise.
-    Triangle flagsOf(const Ogre::MaterialPtr& material, bool& turned) const {
-        Triangle flags;
-        flags.casts = mObject->getCastShadows();
-        if (!material) return flags;
-        flags.receives = material->getReceiveShadows();
-        if (material->isTransparent() && !material->getTransparencyCastsShadows())
-            flags.casts = false;
-        if (const Ogre::Pass* pass = firstPass(*material)) {
-            flags.drawnFromBack = pass->getCullingMode() == Ogre::CULL_NONE;
-            if (pass->getCullingMode() == Ogre::CULL_ANTICLOCKWISE) turned = !turned;
-        }
-        return flags;
-    }
-
-    TriangleScene& mScene;
-    bool mFlipMirrored;
-    Ogre::MovableObject* mObject = nullptr;
+    TriangleCollector& mCollector;
+    Ogre::MovableObject& mObject;
+    const BlendedPose* mPose;
 };
 
 /// Objects below a node, the visible ones only, in the order in which they were attached.
 class Walk {
 public:
-    Walk(Collector& collector, Ogre::uint32 visibilityMask)
+    Walk(TriangleCollector& collector, Ogre::uint32 visibilityMask)
         : mCollector(collector), mMask(visibilityMask) {}
 
     void node(const Ogre::SceneNode& sceneNode) {
@@ -115,19 +80,48 @@ public:
     }
 
 private:
+    bool isShown(const Ogre::MovableObject& movable) const {
+        return movable.getVisible() && (movable.getVisibilityFlags() & mMask) != 0;
+    }
+
     void object(Ogre::MovableObject& movable) {
-        if (!movable.getVisible() || (movable.getVisibilityFlags() & mMask) == 0) return;
+        if (!isShown(movable)) return;
         const Ogre::String& type = movable.getMovableType();
-        if (type == "ManualObject" || type == "StaticGeometry") mCollector.collect(movable);
-        if (type != "Entity") return;
-        auto& entity = static_cast<Ogre::Entity&>(movable);
-        if (entity.hasSkeleton() || entity.hasVertexAnimation()) entity._updateAnimation();
-        mCollector.collect(entity);
+        if (type == "ManualObject" || type == "StaticGeometry")
+            PartVisitor(mCollector, movable, nullptr).visitAll();
+        if (auto* const batch = dynamic_cast<Ogre::InstanceBatch*>(&movable)) instances(*batch);
+        if (auto* const entity = dynamic_cast<Ogre::Entity*>(&movable)) entityParts(*entity);
+    }
+
+    void entityParts(Ogre::Entity& entity) {
+        const BlendedPose pose(entity);
+        PartVisitor(mCollector, entity, &pose).visitAll();
         for (Ogre::MovableObject* child : entity.getAttachedObjects())
             object(*child);
     }
 
-    Collector& mCollector;
+    /// Not from the nodes of the instances, since an instance needs none.
+    void instances(Ogre::InstanceBatch& batch) {
+        Ogre::RenderOperation operation;
+        batch.getRenderOperation(operation);
+        const DrawnPart part =
+            mCollector.read(batch, batch.getMaterial(), operation, copiesInBuffers(batch));
+        const bool mirrored = TriangleCollector::isMirrored(batch);
+        std::vector<Ogre::InstancedEntity*> used;
+        std::vector<Ogre::Vector4> parameters;
+        batch.getInstancedEntitiesInUse(used, parameters);
+        for (const Ogre::InstancedEntity* instance : used) {
+            if (!isShown(*instance)) continue;
+            if (instance->hasSkeleton())
+                OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                            "'" + instance->getName() +
+                                "' has bones: the pose of an instance cannot be read back",
+                            "collectTriangles");
+            mCollector.add(part, instance->_getParentNodeFullTransform(), mirrored);
+        }
+    }
+
+    TriangleCollector& mCollector;
     Ogre::uint32 mMask;
 };
 
@@ -155,7 +149,7 @@ TriangleScene collectTriangles(Ogre::SceneManager& sceneManager, const Eigen::Ve
     // What SceneManager::_updateSceneGraph does before it draws.
     Ogre::Node::processQueuedUpdates();
     sceneManager.getRootSceneNode()->_update(true, false);
-    Collector collector(scene, sceneManager);
+    TriangleCollector collector(scene, sceneManager.getFlipCullingOnNegativeScale());
     Walk(collector, sceneManager.getVisibilityMask()).node(*sceneManager.getRootSceneNode());
     return scene;
 }

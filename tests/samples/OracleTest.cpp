@@ -1,14 +1,12 @@
 // The exact-shadow oracle against shadows that are known in closed form.
 
-#include "common/ShadowOracle.h"
-#include "common/TruthComparison.h"
+#include "OracleScenes.h"
 
-#include <gtest/gtest.h>
+#include "common/TruthComparison.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace Lixel::Samples {
 namespace {
@@ -18,35 +16,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double Pi = std::numbers::pi;
-constexpr double Unlimited = 0.0;
-
-constexpr Triangle Caster{{}, true, true, false};
-constexpr Triangle Receiver{{}, false, true, false};
-
-/// A horizontal square of half side `half` about `centre`, seen from above.
-void addGround(TriangleScene& scene, const Vector3d& centre, double half,
-               Triangle flags = Receiver) {
-    const Vector3d x(half, 0.0, 0.0);
-    const Vector3d z(0.0, 0.0, half);
-    scene.add(centre - x - z, centre - x + z, centre + x + z, flags);
-    scene.add(centre - x - z, centre + x + z, centre + x - z, flags);
-}
-
-/// A closed box, fronts outward.
-void addBox(TriangleScene& scene, const Vector3d& low, const Vector3d& high,
-            Triangle flags = Caster) {
-    const auto corner = [&](int i) {
-        return Vector3d((i & 1) != 0 ? high.x() : low.x(), (i & 2) != 0 ? high.y() : low.y(),
-                        (i & 4) != 0 ? high.z() : low.z());
-    };
-    const int sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                             {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-    for (const auto& side : sides) {
-        scene.add(corner(side[0]), corner(side[1]), corner(side[2]), flags);
-        scene.add(corner(side[0]), corner(side[2]), corner(side[3]), flags);
-    }
-}
-
 /// A sphere of latitude-longitude triangles, fronts outward.
 void addSphere(TriangleScene& scene, const Vector3d& centre, double radius, int rings) {
     const auto point = [&](int ring, int segment) -> Vector3d {
@@ -67,46 +36,6 @@ void addSphere(TriangleScene& scene, const Vector3d& centre, double radius, int 
     }
 }
 
-Matrix4d lookAt(const Vector3d& eye, const Vector3d& target) {
-    const Vector3d back = (eye - target).normalized();
-    const Vector3d up = std::abs(back.y()) > 0.99 ? Vector3d(0, 0, -1) : Vector3d(0, 1, 0);
-    const Vector3d right = up.cross(back).normalized();
-    Matrix4d view = Matrix4d::Identity();
-    view.block<1, 3>(0, 0) = right.transpose();
-    view.block<1, 3>(1, 0) = back.cross(right).transpose();
-    view.block<1, 3>(2, 0) = back.transpose();
-    view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * eye;
-    return view;
-}
-
-Matrix4d perspective(double fovY, double aspect, double near, double far) {
-    const double f = 1.0 / std::tan(0.5 * fovY);
-    Matrix4d projection = Matrix4d::Zero();
-    projection(0, 0) = f / aspect;
-    projection(1, 1) = f;
-    projection(2, 2) = std::isinf(far) ? -1.0 : (far + near) / (near - far);
-    projection(2, 3) = std::isinf(far) ? -2.0 * near : 2.0 * far * near / (near - far);
-    projection(3, 2) = -1.0;
-    return projection;
-}
-
-OracleView viewFrom(const Vector3d& eye, const Vector3d& target,
-                    double far = std::numeric_limits<double>::infinity()) {
-    OracleView view;
-    view.width = 160;
-    view.height = 120;
-    view.vsFromWs = lookAt(eye, target);
-    view.clipFromVs = perspective(1.0, 160.0 / 120.0, 0.1, far);
-    view.shadowDistance = Unlimited;
-    return view;
-}
-
-OracleLight directional(const Vector3d& direction) {
-    OracleLight light;
-    light.direction = direction.normalized();
-    return light;
-}
-
 OracleLight spot(const Vector3d& position, const Vector3d& target, double outerAngle) {
     OracleLight light;
     light.kind = OracleLight::Kind::Spot;
@@ -116,55 +45,9 @@ OracleLight spot(const Vector3d& position, const Vector3d& target, double outerA
     return light;
 }
 
-/// Where the pixel's ray meets the plane y = 0; nothing where it does not.
-std::optional<Vector3d> groundPoint(const OracleView& view, int column, int row) {
-    const Matrix4d wsFromClip = (view.clipFromVs * view.vsFromWs).inverse();
-    const double x = (column + 0.5) / view.width * 2.0 - 1.0;
-    const double y = 1.0 - (row + 0.5) / view.height * 2.0;
-    const Vector3d a = (wsFromClip * Eigen::Vector4d(x, y, -1.0, 1.0)).hnormalized();
-    const Vector3d b = (wsFromClip * Eigen::Vector4d(x, y, 0.0, 1.0)).hnormalized();
-    const double t = a.y() / (a.y() - b.y());
-    return t > 0.0 ? std::optional<Vector3d>(a + t * (b - a)) : std::nullopt;
-}
-
-std::size_t count(const ShadowTruth& truth, PixelClass wanted) {
-    return static_cast<std::size_t>(std::count(truth.pixels.begin(), truth.pixels.end(), wanted));
-}
-
-/** Checks every ground pixel that `expectation` is sure about.
-    @param expectation from a ground point: 1 shadowed, 0 lit, -1 too near the border to say
-*/
-template <typename Expectation>
-void expectGround(const ShadowOracle& oracle, const OracleView& view, const OracleLight& light,
-                  const Expectation& expectation) {
-    const ShadowTruth truth = oracle.classify(view, light);
-    const auto points = oracle.visiblePoints(view);
-    std::size_t checked[2] = {0, 0};
-    for (int row = 0; row < view.height; ++row) {
-        for (int column = 0; column < view.width; ++column) {
-            const auto& point = points.at(column, row);
-            if (!point || oracle.scene().triangles[point->triangle].casts) continue;
-            const auto exact = groundPoint(view, column, row);
-            ASSERT_TRUE(exact);
-            ASSERT_NEAR((*exact - point->position).norm(), 0.0, 1e-9 * exact->norm());
-            const int expected = expectation(*exact);
-            if (expected < 0) continue;
-            ++checked[expected];
-            ASSERT_EQ(truth.at(column, row), expected == 1 ? PixelClass::Shadowed : PixelClass::Lit)
-                << "pixel " << column << ", " << row << " at " << exact->transpose();
-        }
-    }
-    EXPECT_GT(checked[0], 500U) << "too few lit pixels to mean anything";
-    EXPECT_GT(checked[1], 100U) << "too few shadowed pixels to mean anything";
-}
-
 /// Signed distance (negative inside) from the rectangle low..high.
 double outside(const Vector2d& p, const Vector2d& low, const Vector2d& high) {
     return (low - p).cwiseMax(p - high).maxCoeff();
-}
-
-int decide(double signedDistance, double margin) {
-    return signedDistance < -margin ? 1 : (signedDistance > margin ? 0 : -1);
 }
 
 TEST(ShadowOracle, SphereInDirectionalLightShadowsAnEllipse) {
