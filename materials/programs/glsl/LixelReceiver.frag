@@ -14,10 +14,10 @@ void main()
 #else
     float visibility = lixelVisibility(mapCoordinate);
 #endif
+    vec4 texel = lixelDiffuseMap(uv);
 #ifdef LIXEL_VISIBILITY_ONLY
     fragColour = vec4(vec3(visibility), 1.0);
 #else
-    vec4 texel = lixelDiffuseMap(uv);
     vec3 light = visibility * lixelLight(wsPosition, wsNormal, texel.rgb);
     fragColour = vec4(lixelThroughFog() * light, texel.a);
 #endif
