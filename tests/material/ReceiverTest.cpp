@@ -38,6 +38,36 @@ TEST(Receivers, OfMeshesWithoutNormalsAreShadowedModulatively) {
     EXPECT_LT(picture[scene.pixelOf(InShadow)], picture[scene.pixelOf(InTheSun)] - 50);
 }
 
+/// Its facets turn away from the light where its normals do not yet.
+TEST(Receivers, DarkenACoarseBallLittleModulativelyWhereItTurnsAway) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_MODULATIVE, "Lixel/Receiver/Modulative/Bilinear");
+    for (Ogre::Light* light : scene.lights)
+        light->setVisible(light == scene.lights.front());
+    for (Ogre::SceneNode* node : {scene.box, scene.ground})
+        node->setVisible(false);
+    auto& manager = scene.stage.sceneManager();
+    manager.setAmbientLight(Ogre::ColourValue(0.3F, 0.3F, 0.3F));
+    Ogre::Entity* const ball = manager.createEntity(Ogre::SceneManager::PT_SPHERE);
+    ball->setMaterialName("Lixel/Surface");
+    Ogre::SceneNode* const node =
+        manager.getRootSceneNode()->createChildSceneNode(Ogre::Vector3(0, 2, 0));
+    node->setScale(Ogre::Vector3(0.06F)); // of a radius of 50
+    node->attachObject(ball);
+    const std::vector<int> shadowed = scene.draw();
+    scene.keepPicture("ball");
+    scene.lights.front()->setCastShadows(false);
+    const std::vector<int> lit = scene.draw();
+    double least = 1;
+    std::size_t darkened = 0;
+    for (std::size_t i = 0; i < lit.size(); ++i) {
+        if (lit[i] < 85) continue; // a little more than what is ambient
+        least = std::min(least, static_cast<double>(shadowed[i]) / lit[i]);
+        darkened += shadowed[i] < lit[i] ? 1 : 0;
+    }
+    EXPECT_GT(darkened, 20U);
+    EXPECT_GT(least, 0.7);
+}
+
 /// By scale, scroll and the like of its unit: in each pass and under every technique.
 TEST(Receivers, MoveTheirDiffuseMapAsItsUnitSays) {
     for (const auto& [technique, receiver, surface] :

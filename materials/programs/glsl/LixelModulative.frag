@@ -9,8 +9,9 @@ uniform vec4 lixelLight; // position, or with w = 0 the direction towards the li
 
 out vec4 fragColour;
 
-// Cosine of the angle to the light from which on a shadow fades: 84 degrees.
-const float Grazing = 0.1;
+// Cosine of the angle to the light from which on a shadow fades: 76 degrees. Facets of a ball with 16
+// sides lean up to 11 degrees away from its normals, and so are in shadow where these are still lit.
+const float Grazing = 0.25;
 
 void main()
 {
