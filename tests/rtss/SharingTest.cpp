@@ -8,6 +8,17 @@
 namespace Lixel::Tests {
 namespace {
 
+/// The left half of a picture, or with 1 the right one.
+Picture halfOf(const Picture& picture, std::size_t half) {
+    constexpr std::size_t RowBytes = std::size_t{3} * 320;
+    Picture found;
+    for (std::size_t row = half * RowBytes / 2; row < picture.size(); row += RowBytes) {
+        const auto begin = picture.begin() + static_cast<std::ptrdiff_t>(row);
+        found.insert(found.end(), begin, begin + RowBytes / 2);
+    }
+    return found;
+}
+
 class ShaderSystemSharing : public testing::Test {
 protected:
     ShaderSystemSharing() {
@@ -137,13 +148,21 @@ TEST_F(ShaderSystemSharing, ViewportsHaveCamerasOfTheirOwn) {
         scene.manager().getRootSceneNode()->createChildSceneNode(Ogre::Vector3(-12, 5, -6));
     node->attachObject(&second);
     node->lookAt(Ogre::Vector3::ZERO, Ogre::Node::TS_WORLD);
-    scene.stage.viewport().setDimensions(0, 0, 0.5F, 1);
+    Ogre::Viewport& left = scene.stage.viewport();
+    left.setDimensions(0, 0, 0.5F, 1);
     Ogre::Viewport& right = *scene.stage.window().addViewport(&second, 1, 0.5F, 0, 0.5F, 1);
     const Ogre::String own = right.getMaterialScheme();
     right.setMaterialScheme(StartedShaderSystem::Scheme);
     scene.draw();
     const Picture both = scene.draw();
     scene.keepPicture("viewports");
+    // With one viewport drawn and one light on at a time.
+    left.setAutoUpdated(false);
+    EXPECT_TRUE(isSame(halfOf(both, 1), halfOf(sumOfLights(), 1)));
+    right.setAutoUpdated(false);
+    left.setAutoUpdated(true);
+    EXPECT_TRUE(isSame(halfOf(both, 0), halfOf(sumOfLights(), 0)));
+    right.setAutoUpdated(true);
     right.setMaterialScheme(own);
     EXPECT_TRUE(isSame(both, scene.drawLixels()));
 }
