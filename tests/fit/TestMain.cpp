@@ -4,7 +4,7 @@
 
 // Under the sanitizers a case takes ten times as long, and any case reads the same memory.
 #ifdef __SANITIZE_ADDRESS__
-constexpr const char* Parameters = "seed=42 max_success=400";
+constexpr const char* Parameters = "seed=42 max_success=200";
 #else
 constexpr const char* Parameters = "seed=42 max_success=1000";
 #endif
