@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
     Materials, TwoViews,
     testing::Values(Way{"additive", AdditiveTechnique, "Lixel/Receiver/Bilinear", "Lixel/Surface"},
                     Way{"integrated", IntegratedTechnique, "", "Lixel/Surface/Integrated"}),
-    [](const testing::TestParamInfo<Way>& info) { return std::string(info.param.name); });
+    [](const testing::TestParamInfo<Way>& tested) { return std::string(tested.param.name); });
 
 } // namespace
 } // namespace Lixel::Tests
