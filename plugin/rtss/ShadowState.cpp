@@ -3,6 +3,7 @@
 #include "rtss/ReceiverCode.h"
 #include "rtss/Registry.h"
 #include "rtss/Requirements.h"
+#include "rtss/ShadowUnits.h"
 #include "rtss/TransformedCasters.h"
 
 #include <OgreMaterial.h>
@@ -21,16 +22,6 @@ namespace Lixel {
 using namespace Ogre::RTShader;
 
 const Ogre::String ShadowState::Type = "Lixel_Shadows";
-
-namespace {
-
-bool hasShadowUnits(const Ogre::Pass& pass) {
-    return std::ranges::any_of(pass.getTextureUnitStates(), [](const Ogre::TextureUnitState* unit) {
-        return unit->getContentType() == Ogre::TextureUnitState::CONTENT_SHADOW;
-    });
-}
-
-} // namespace
 
 void ShadowState::copyFrom(const SubRenderState& other) {
     mOptions = static_cast<const ShadowState&>(other).mOptions;

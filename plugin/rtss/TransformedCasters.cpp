@@ -1,98 +1,25 @@
 #include "rtss/TransformedCasters.h"
 
+#include "rtss/ShadowUnits.h"
+#include "rtss/VertexTransform.h"
+
 #include <Lixel/scene/OgreVersions.h>
 
 #include <OgreGpuProgramManager.h>
 #include <OgreGpuProgramParams.h>
 #include <OgreMaterial.h>
 #include <OgreMaterialManager.h>
-#include <OgreMeshManager.h>
 #include <OgrePass.h>
 #include <OgreTechnique.h>
 #include <OgreTextureUnitState.h>
-#include <RTShaderSystem/OgreShaderFunction.h>
-#include <RTShaderSystem/OgreShaderFunctionAtom.h>
-#include <RTShaderSystem/OgreShaderParameter.h>
-#include <RTShaderSystem/OgreShaderProgram.h>
-
-#include <cstdlib>
-#include <optional>
-#include <set>
-#include <string_view>
 
 namespace Lixel {
-
-using namespace Ogre::RTShader;
-using Ogre::GpuProgramParameters;
 
 namespace {
 
 const char* const PlainCaster = "Lixel/Caster";
 /// Programs that begin with Lixel/ count as ones that place no instances.
 const char* const ProgramPrefix = "LixelPlaced/";
-
-/// How a vertex program of the shader system transforms vertices, where a world matrix does not do
-/// it alone.
-struct VertexTransform {
-    /// Bones that bend a mesh, and how many of them each vertex; 0 for none.
-    std::size_t bones = 0;
-    std::size_t weights = 0;
-    /// Whether bones are given in the object's space; otherwise in the world's.
-    bool bonesAreInObject = false;
-    /// The first of the three texture coordinates with each instance's matrix; none: no instances.
-    std::optional<int> matrixSet;
-
-    bool isSkinned() const { return bones > 0 && weights > 0; }
-};
-
-/// How many of a vertex's weights a program reads: since OGRE 13.5 all at once, and a macro says
-/// how many count; before, one by one.
-std::size_t weightsReadBy(Program& program) {
-    constexpr std::string_view Macro = "WEIGHT_COUNT=";
-    const Ogre::String& defines = program.getPreprocessorDefines();
-    if (const std::size_t at = defines.find(Macro); at != Ogre::String::npos)
-        return std::strtoul(defines.c_str() + at + Macro.size(), nullptr, 10);
-    std::set<int> components;
-    for (FunctionAtom* call : program.getMain()->getAtomInstances())
-        for (const Operand& operand : call->getOperandList())
-            if (operand.getParameter()->getContent() == Parameter::SPC_BLEND_WEIGHTS)
-                components.insert(operand.getMask());
-    return components.size();
-}
-
-bool bonesAreInObject() {
-#if OGRE_MIN_VERSION(13, 5, 0) // and it is the default since 14
-    return Ogre::MeshManager::getBonesUseObjectSpace();
-#else
-    return false;
-#endif
-}
-
-std::optional<int> matrixSetOf(Function& main) {
-    for (const ParameterPtr& input : main.getInputParameters())
-        if (input->getType() == Ogre::GCT_MATRIX_3X4)
-            return input->getContent() - Parameter::SPC_TEXTURE_COORDINATE0;
-    return {};
-}
-
-VertexTransform transformOf(Program& vertexProgram) {
-    VertexTransform transform;
-    const UniformParameterPtr bones =
-        vertexProgram.getParameterByAutoType(GpuProgramParameters::ACT_WORLD_MATRIX_ARRAY_3x4);
-    if (bones) {
-        transform.bones = bones->getSize();
-        transform.weights = weightsReadBy(vertexProgram);
-        transform.bonesAreInObject = bonesAreInObject();
-    }
-    transform.matrixSet = matrixSetOf(*vertexProgram.getMain());
-    return transform;
-}
-
-std::string nameOf(const VertexTransform& transform) {
-    if (!transform.isSkinned()) return "/Instances" + std::to_string(*transform.matrixSet);
-    return "/Bones" + std::to_string(transform.bones) + "/Weights" +
-           std::to_string(transform.weights) + (transform.bonesAreInObject ? "/InObject" : "");
-}
 
 /// Whether OGRE has a pass's texture cut holes into the pass's shadow.
 bool cutsHoles(const Ogre::Pass& pass) {
@@ -130,24 +57,12 @@ void makeProgram(const std::string& name, const Ogre::String& group,
     const Ogre::GpuProgramPtr program =
         createProgram(name, group, "glsl", Ogre::GPT_VERTEX_PROGRAM);
     program->setSourceFile("LixelCasterPlaced.vert");
-    if (transform.isSkinned()) {
-        program->setParameter("preprocessor_defines",
-                              "LIXEL_BONES=" + std::to_string(transform.bones) +
-                                  ",LIXEL_WEIGHTS=" + std::to_string(transform.weights));
-        program->setSkeletalAnimationIncluded(true);
-    } else {
-        program->setParameter("preprocessor_defines",
-                              "LIXEL_MATRIX=uv" + std::to_string(*transform.matrixSet));
-    }
+    program->setParameter("preprocessor_defines", definesOf(transform));
+    program->setSkeletalAnimationIncluded(transform.isSkinned());
     const Ogre::GpuProgramParametersSharedPtr& parameters = program->getDefaultParameters();
-    parameters->setNamedAutoConstant("clipFromPlaced",
-                                     transform.bonesAreInObject
-                                         ? GpuProgramParameters::ACT_WORLDVIEWPROJ_MATRIX
-                                         : GpuProgramParameters::ACT_VIEWPROJ_MATRIX);
-    parameters->setNamedAutoConstant("diffuseMapMatrix", GpuProgramParameters::ACT_TEXTURE_MATRIX,
-                                     0);
-    if (transform.isSkinned())
-        parameters->setNamedAutoConstant("bones", GpuProgramParameters::ACT_WORLD_MATRIX_ARRAY_3x4);
+    bind(transform, *parameters);
+    parameters->setNamedAutoConstant("diffuseMapMatrix",
+                                     Ogre::GpuProgramParameters::ACT_TEXTURE_MATRIX, 0);
     parameters->addSharedParameters(PlainCaster);
 }
 
@@ -180,6 +95,13 @@ Ogre::MaterialPtr casterFor(const VertexTransform& transform, const Ogre::Pass& 
     return caster;
 }
 
+/// Whether the shader system draws a caster: it has no programs of its own, and so writes what the
+/// shader system's own receivers read, which is not what Lixel's do.
+bool isOfShaderSystem(const Ogre::Material& caster) {
+    const Ogre::Technique* const technique = caster.getTechnique(0);
+    return technique->getNumPasses() > 0 && !technique->getPass(0)->hasVertexProgram();
+}
+
 } // namespace
 
 bool pluginIsLoaded() {
@@ -187,11 +109,14 @@ bool pluginIsLoaded() {
                PlainCaster) > 0;
 }
 
-std::string setCaster(Ogre::Pass& pass, Program& vertexProgram) {
+std::string setCaster(Ogre::Pass& pass, Ogre::RTShader::Program& vertexProgram) {
     // Set 0 has the coordinates of the alpha texture, and a matrix takes three of the eight sets.
     constexpr int FirstSet = 1, LastSet = 5;
     Ogre::Technique& technique = *pass.getParent();
-    if (technique.getShadowCasterMaterial()) return {};
+    if (const Ogre::MaterialPtr caster = technique.getShadowCasterMaterial()) {
+        if (!isOfShaderSystem(*caster) || hasShadowUnits(pass) || !pluginIsLoaded()) return {};
+        technique.setShadowCasterMaterial(Ogre::MaterialPtr());
+    }
     const VertexTransform transform = transformOf(vertexProgram);
     // Neither needs no caster, and OGRE does not draw both.
     if (transform.isSkinned() == transform.matrixSet.has_value()) return {};
