@@ -58,6 +58,10 @@ bool isBentByProgram(Ogre::Renderable& renderable) {
     return part != nullptr && part->getParent()->isHardwareAnimationEnabled();
 }
 
+bool isOfTerrain(const Ogre::Pass& pass) {
+    return Ogre::StringUtil::startsWith(materialOf(pass), "OgreTerrain/", false);
+}
+
 bool isLeftUnplaced(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
     return dynamic_cast<Ogre::InstanceBatch*>(&renderable) != nullptr && pass.hasVertexProgram() &&
            Ogre::StringUtil::startsWith(pass.getVertexProgramName(), "Lixel/", false);

@@ -10,6 +10,10 @@ class Renderable;
 /// Questions about what a scene manager draws, and by which pass.
 namespace Lixel {
 
+/// A pass's user binding of this name says that libLixelRTSS made it, and says itself what keeps
+/// shadows from it.
+inline constexpr const char* ShaderSystemMark = "Lixel/ShaderSystem";
+
 std::string quoted(const std::string& name);
 
 /// The name of the material that a pass is of.
@@ -27,6 +31,9 @@ bool bends(const Ogre::Pass& pass);
 
 /// Whether what is drawn is left to its vertex program to bend.
 bool isBentByProgram(Ogre::Renderable& renderable);
+
+/// Whether a pass is of OGRE's terrain component, which makes programs of its own.
+bool isOfTerrain(const Ogre::Pass& pass);
 
 /// Whether one call draws many bodies, and the pass's vertex program is one of Lixel's, which do
 /// not place them.

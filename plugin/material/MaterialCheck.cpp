@@ -145,15 +145,22 @@ void MaterialCheck::checkSurface(const Ogre::Pass& pass, bool groupReceives) {
         say(whatLacksPrograms(pass) + Manual);
         return;
     }
-    if (mManager.isShadowTechniqueIntegrated() && groupReceives && pass.getLightingEnabled() &&
-        technique.getParent()->getReceiveShadows() && !readsShadowMap(*technique.getParent()) &&
-        !isStandIn(pass))
-        say("material " + quoted(materialOf(pass)) +
-            " reads no shadow map, so nothing casts shadows on it: under an integrated shadow "
-            "technique use Lixel/Surface/Integrated, or give it texture units of content_type "
-            "shadow and LixelShadow.glsl; where OGRE's shader system makes its programs, "
-            "Lixel::ShaderSystem::enable; or say receive_shadows off" +
-            Manual);
+    if (!mManager.isShadowTechniqueIntegrated() || !groupReceives || !pass.getLightingEnabled() ||
+        !technique.getParent()->getReceiveShadows() || readsShadowMap(*technique.getParent()) ||
+        isStandIn(pass) || pass.getUserObjectBindings().getUserAny(ShaderSystemMark).has_value())
+        return;
+    if (isOfTerrain(pass))
+        return say("OGRE's terrain, material " + quoted(materialOf(pass)) +
+                   ", makes programs of its own, which read no map as Lixel's casters write it: "
+                   "keep OGRE's casters and receivers in its scene manager, and give the light "
+                   "cascades with their split points (README.md, \"If your scene has texture "
+                   "shadows already\")");
+    say("material " + quoted(materialOf(pass)) +
+        " reads no shadow map, so nothing casts shadows on it: under an integrated shadow "
+        "technique use Lixel/Surface/Integrated, or give it texture units of content_type "
+        "shadow and LixelShadow.glsl; where OGRE's shader system makes its programs, "
+        "Lixel::ShaderSystem::enable; or say receive_shadows off" +
+        Manual);
 }
 
 void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {

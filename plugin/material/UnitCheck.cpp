@@ -40,8 +40,8 @@ bool isOneTexel(const Ogre::TextureUnitState& unit) {
 }
 
 bool hasUnit(const Ogre::Pass& pass, const char* name) {
-    return std::ranges::count(pass.getTextureUnitStates(), name,
-                              &Ogre::TextureUnitState::getName) > 0;
+    return std::ranges::count(pass.getTextureUnitStates(), name, &Ogre::TextureUnitState::getName) >
+           0;
 }
 
 bool rejectsAlpha(const Ogre::Pass& pass) {

@@ -6,10 +6,13 @@
 #include "rtss/ShadowUnits.h"
 #include "rtss/TransformedCasters.h"
 
+#include <Lixel/material/DrawnPass.h>
+
 #include <OgreMaterial.h>
 #include <OgrePass.h>
 #include <OgreTechnique.h>
 #include <OgreTextureUnitState.h>
+#include <OgreUserObjectBindings.h>
 #include <RTShaderSystem/OgreShaderGenerator.h>
 #include <RTShaderSystem/OgreShaderProgramSet.h>
 #include <RTShaderSystem/OgreShaderRenderState.h>
@@ -48,6 +51,7 @@ bool ShadowState::preAddToRenderState(const RenderState* renderState, Ogre::Pass
                                       Ogre::Pass* destination) {
     mTarget = renderState;
     mPass = destination;
+    destination->getUserObjectBindings().setUserAny(ShaderSystemMark, Ogre::Any(true));
     Ogre::SceneManager* const manager = ShaderGenerator::getSingleton().getActiveSceneManager();
     if (manager != nullptr) mRegistry.scenes().watch(*manager);
     mLayout = mRegistry.scenes().layout();
@@ -95,9 +99,10 @@ std::size_t ShadowState::addUnits() {
     if (hasShadowUnits(*mPass)) {
         // OGRE gives the k-th map to the k-th of these.
         mPendingWarnings.push_back(
-            "Lixel casts no shadows on material " + quotedMaterialName() +
+            "no light of a Lixel setup shadows material " + quotedMaterialName() +
             ", which has texture units of content_type shadow already: take them out of its "
-            "script, or the part of the shader system that adds them, such as `integrated_pssm4`");
+            "script, or the part of the shader system that adds them, `integrated_pssm4` in "
+            "scripts or the sub-render state IntegratedPSSM3 of the scheme");
         return 0;
     }
     const std::size_t used = mPass->getNumTextureUnitStates();

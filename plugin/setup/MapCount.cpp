@@ -71,7 +71,9 @@ std::size_t mapCountOf(const Ogre::Light& light, const std::vector<ShadowTarget>
     if (isSun && mapsOfSun(maps) < maps && news.isNew(LightNews::MapsLeftOver))
         logWarning("light '" + light.getName() + "' has " + std::to_string(maps) +
                    " shadow textures, and its setup fills " + std::to_string(mapsOfSun(maps)) +
-                   ": CascadesShadowCameraSetup fills one for each slice of the view");
+                   ": CascadesShadowCameraSetup fills one for each slice of the view; under "
+                   "receivers that have split points, such as OGRE's PSSM, give it the same "
+                   "(setSplitDepths)");
     return maps;
 }
 

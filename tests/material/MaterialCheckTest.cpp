@@ -79,6 +79,12 @@ INSTANTIATE_TEST_SUITE_P(
                   "",
                   "Lixel/Surface",
                   {"material 'Lixel/Surface' reads no shadow map"}},
+        WrongCase{"Terrain",
+                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
+                  "",
+                  "OgreTerrain/Test",
+                  {"OGRE's terrain, material 'OgreTerrain/Test', makes programs of its own, which "
+                   "read no map as Lixel's casters write it"}},
         WrongCase{
             "WrongNumbers",
             Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED,
@@ -133,12 +139,13 @@ INSTANTIATE_TEST_SUITE_P(
                   "Lixel/Receiver",
                   "Test/UnitWithoutAName",
                   {"texture 'any.png' is in a unit without a name, which nothing reads"}},
-        WrongCase{"HolesInOnePass",
-                  Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
-                  "Lixel/Receiver",
-                  "Test/HolesInOnePass",
-                  {"material 'Test/HolesInOnePass': pass 'Ambient' fills the holes of pass 'Light': "
-                   "give it the same alpha_rejection"}},
+        WrongCase{
+            "HolesInOnePass",
+            Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
+            "Lixel/Receiver",
+            "Test/HolesInOnePass",
+            {"material 'Test/HolesInOnePass': pass 'Ambient' fills the holes of pass 'Light': "
+             "give it the same alpha_rejection"}},
         WrongCase{"HolesWhereAlphaIsGreat",
                   Ogre::SHADOWTYPE_TEXTURE_ADDITIVE,
                   "Lixel/Receiver",

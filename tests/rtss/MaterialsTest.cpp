@@ -182,6 +182,7 @@ TEST_F(ShaderSystemMaterials, LitPerVertexAreNamedInTheLog) {
                         "vertex"),
               1U)
         << log.all();
+    EXPECT_EQ(log.count("Lixel:"), 1U) << log.all();
 }
 
 TEST_F(ShaderSystemMaterials, DrawnOnceForEachLightAreNamedInTheLog) {
@@ -221,9 +222,10 @@ TEST_F(ShaderSystemMaterials, WithShadowUnitsOfTheirOwnAreNamedInTheLog) {
     scene.wear("Test/OwnUnit");
     scene.draw();
     scene.draw();
-    EXPECT_EQ(log.count("Lixel casts no shadows on material 'Test/OwnUnit', which has texture "
-                        "units of content_type shadow already"),
-              1U)
+    EXPECT_EQ(
+        log.count("no light of a Lixel setup shadows material 'Test/OwnUnit', which has texture "
+                  "units of content_type shadow already"),
+        1U)
         << log.all();
 }
 
