@@ -24,6 +24,7 @@ std::vector<std::string> dropUnusableShadowMaterials() {
     std::vector<std::string> lines;
     for (const auto& [handle, resource] :
          Ogre::MaterialManager::getSingleton().getResourceIterator()) {
+        if (!resource->isLoaded()) continue; // nothing wears it
         for (Ogre::Technique* technique :
              static_cast<const Ogre::Material&>(*resource).getTechniques()) {
             const Ogre::MaterialPtr receiver = technique->getShadowReceiverMaterial();

@@ -1,7 +1,5 @@
 #include "material/SharedParameters.h"
 
-#include "material/OwnShadowMaterials.h"
-#include "scene/Log.h"
 
 #include <OgreGpuProgramManager.h>
 #include <OgreGpuProgramParams.h>
@@ -65,8 +63,6 @@ void SharedParameters::resourceGroupScriptingEnded(const Ogre::String&) {
     // OGRE binds the warning texture to units without one, as a surface's DiffuseMap may be. Made
     // when it is first wanted, in the midst of a pass, it would unbind that pass's first texture.
     Ogre::TextureManager::getSingleton()._getWarningTexture();
-    for (const std::string& line : dropUnusableShadowMaterials())
-        logWarning(line);
 }
 
 const char* SharedParameters::setOf(const std::string& constant) {
