@@ -36,6 +36,11 @@ void parseLight(const std::string& text, BrowserOptions& options) {
     options.azimuthElevation = {azimuth, elevation};
 }
 
+/// Whether the scene's lights have presets.
+bool usesPresets(const BrowserOptions& options) {
+    return options.modelFile.empty() && findSampleScene(options.sample)->shaderSystem;
+}
+
 } // namespace
 
 std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
@@ -50,7 +55,9 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
     auto* sample = app.add_option("--sample", options.sample, "Sample scene (see --list)");
     app.add_option("--scene", options.modelFile, "Model file instead of a sample: glTF, OBJ, …")
         ->excludes(sample);
-    app.add_option("--setup", options.setup, "Shadow camera setup (see --list)");
+    app.add_option("--setup", options.setup,
+                   "Shadow camera setup (see --list); XPSM, or where lights of the sample have "
+                   "presets, these");
     app.add_option("--set", options.assignments,
                    "An option of the setup, KEYWORD=VALUE; may be given several times");
     app.add_option("--map", options.mapSize, "Shadow map size in texels")
@@ -80,6 +87,9 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
     };
     if (options.modelFile.empty() && findSampleScene(options.sample) == nullptr)
         return complain(noneOfThatName("sample", options.sample, sampleScenes()));
+    if (options.setup.empty() && !(usesPresets(options) && options.assignments.empty()))
+        options.setup = "XPSM";
+    if (options.setup.empty()) return options;
     if (findShadowSetup(options.setup) == nullptr)
         return complain(noneOfThatName("setup", options.setup, shadowSetups()));
     const std::string wrong = wrongAssignment(*findShadowSetup(options.setup), options.assignments);

@@ -16,7 +16,8 @@ struct BrowserOptions {
     bool headless = false;
     std::string sample = "field";
     std::string modelFile; ///< instead of a sample
-    std::string setup = "XPSM";
+    /// Empty for the presets of the scene's lights.
+    std::string setup;
     /// Its options, KEYWORD=VALUE each.
     std::vector<std::string> assignments;
     int mapSize = 1024;

@@ -33,6 +33,7 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
     ShadowTruth truth;
     measured.error = measureError(stage, oracle, scene.shadowDistance, &visibility, &truth);
 
+    const std::string setup = options.setup.empty() ? stage.preset() : options.setup;
     if (!options.output.empty())
         savePicture(picture, options.width, options.height, options.output);
     if (!options.comparison.empty())
@@ -41,7 +42,7 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
     if (!options.stats.empty()) {
         const nlohmann::ordered_json stats{
             {"sample", scene.name},
-            {"setup", options.setup},
+            {"setup", setup},
             {"map", options.mapSize},
             {"width", options.width},
             {"height", options.height},
@@ -68,8 +69,8 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
     }
     fmt::print("{:<12} {:<18} map {:>4}  error {:6.3f} % (acne {:.3f}, leak {:.3f})  "
                "frame {:.1f} ms{}\n",
-               scene.name, options.setup, options.mapSize, measured.error.error,
-               measured.error.acne, measured.error.leak, measured.frameMilliseconds,
+               scene.name, setup, options.mapSize, measured.error.error, measured.error.acne,
+               measured.error.leak, measured.frameMilliseconds,
                options.output.empty() ? "" : "  " + options.output);
 }
 

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
+#include <map>
 
 namespace Lixel::Samples {
 namespace {
@@ -37,6 +39,8 @@ public:
         const auto& setups = shadowSetups();
         for (std::size_t i = 0; i < setups.size(); ++i)
             if (setups[i].name == options.setup) mSetup = i;
+        mWatches.emplace(Ogre::RGN_DEFAULT, Ogre::RGN_DEFAULT);
+        if (scene.shaderSystem) mWatches.emplace(MediaGroup, MediaGroup);
         GLFWwindow* const window = stage.glfwWindow();
         glfwSetWindowUserPointer(window, this);
         glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
@@ -50,9 +54,10 @@ public:
 
     void run() {
         fmt::print("Drag with a mouse button to look, W A S D Q E to fly (Shift: faster), "
-                   "1-{} setups, V views, F12 picture, Esc ends.\n"
+                   "1-{} setups{}, V views, F12 picture, Esc ends.\n"
                    "What is edited in Lixel's scripts and shaders shows at once.\n",
-                   std::min<std::size_t>(shadowSetups().size(), 9));
+                   std::min<std::size_t>(shadowSetups().size(), 9),
+                   mScene.shaderSystem ? ", 0 the scene's own" : "");
         std::fflush(stdout);
         auto last = std::chrono::steady_clock::now();
         while (glfwWindowShouldClose(mStage.glfwWindow()) == GLFW_FALSE) {
@@ -77,6 +82,8 @@ private:
         if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
             const std::size_t choice = static_cast<std::size_t>(key - GLFW_KEY_1);
             if (choice < setups.size()) showSetup(choice);
+        } else if (key == GLFW_KEY_0 && mScene.shaderSystem) {
+            showPresets();
         } else if (key == GLFW_KEY_V) {
             showView((mView + 1) % mScene.views.size());
         } else if (key == GLFW_KEY_F12) {
@@ -92,8 +99,16 @@ private:
         // Options that were asked for belong to the setup that was asked for.
         const bool isAskedFor = setup.name == mOptions.setup;
         mStage.setShadowSetup(isAskedFor ? withOptions(setup, mOptions.assignments).create()
-                                         : setup.create());
+                                         : setup.create(),
+                              setup.maps);
         fmt::print("{}: {}\n", setup.name, setup.title);
+        std::fflush(stdout);
+        showTitle();
+    }
+
+    void showPresets() {
+        mStage.usePresets();
+        fmt::print("{}: the scene's own\n", mStage.preset());
         std::fflush(stdout);
         showTitle();
     }
@@ -164,8 +179,14 @@ private:
     void readEdits(std::chrono::steady_clock::time_point now) {
         if (now < mNextWatch) return;
         mNextWatch = now + WatchInterval;
-        if (!mWatch.changed()) return;
-        const std::vector<std::string> errors = reload(Ogre::RGN_DEFAULT);
+        bool changed = false;
+        std::vector<std::string> errors;
+        for (auto& [group, watch] : mWatches) {
+            if (!watch.changed()) continue;
+            changed = true;
+            std::ranges::move(reload(group), std::back_inserter(errors));
+        }
+        if (!changed) return;
         mError = errors.empty() ? "" : errors.front();
         for (const std::string& error : errors)
             fmt::print(stderr, "{}\n", error);
@@ -178,7 +199,7 @@ private:
     void showTitle() {
         const std::string scene =
             fmt::format("Lixel - {} - {} - {}", mScene.name, mScene.views[mView].name,
-                        shadowSetups()[mSetup].title);
+                        mStage.preset().empty() ? shadowSetups()[mSetup].title : mStage.preset());
         glfwSetWindowTitle(mStage.glfwWindow(),
                            mError.empty() ? scene.c_str() : ("Error: " + mError).c_str());
     }
@@ -189,7 +210,8 @@ private:
     std::size_t mView;
     std::size_t mSetup = 0;
     std::string mPicture;
-    FileWatch mWatch{Ogre::RGN_DEFAULT};
+    /// By resource groups.
+    std::map<std::string, FileWatch> mWatches;
     std::chrono::steady_clock::time_point mNextWatch;
     std::string mError; ///< the first of the last edit
     double mMouseX = 0.0;

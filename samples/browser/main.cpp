@@ -24,6 +24,16 @@ public:
     }
 };
 
+/// The sun that was asked for, or the view's light.
+SampleLight lightFor(const BrowserOptions& options, const SampleScene& scene,
+                     const SampleView& view) {
+    if (!options.azimuthElevation) return defaultLight(scene, view);
+    SampleLight sun =
+        sunlight("sun", options.azimuthElevation->first, options.azimuthElevation->second);
+    sun.shadowPreset = scene.lights.front().shadowPreset;
+    return sun;
+}
+
 int show(Stage& stage, const BrowserOptions& options) {
     const SampleScene scene = options.modelFile.empty() ? *findSampleScene(options.sample)
                                                         : modelScene(options.modelFile);
@@ -35,12 +45,12 @@ int show(Stage& stage, const BrowserOptions& options) {
     const SampleView& view = scene.views[static_cast<std::size_t>(options.view) - 1];
     stage.show(scene);
     stage.setView(view);
-    stage.setLight(options.azimuthElevation ? sunlight("sun", options.azimuthElevation->first,
-                                                       options.azimuthElevation->second)
-                                            : defaultLight(scene, view));
+    stage.setLight(lightFor(options, scene, view));
     stage.setShadowMapSize(options.mapSize);
-    stage.setShadowSetup(
-        withOptions(*findShadowSetup(options.setup), options.assignments).create());
+    if (!options.setup.empty()) {
+        const NamedSetup& setup = *findShadowSetup(options.setup);
+        stage.setShadowSetup(withOptions(setup, options.assignments).create(), setup.maps);
+    }
     if (options.headless)
         drawHeadless(stage, scene, options);
     else

@@ -12,5 +12,8 @@ SampleScene duelScene();
 SampleScene minersLampScene();
 /// Houses along a street when the sun is low.
 SampleScene streetScene();
+/// A garden whose casters have holes, are bent by bones or are many of one mesh, all in materials
+/// without programs.
+SampleScene gardenScene();
 
 } // namespace Lixel::Samples

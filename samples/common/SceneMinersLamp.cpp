@@ -164,8 +164,7 @@ SampleScene minersLampScene() {
                     lamp("oncoming", {1.5F, 2.2F, -6.0F}, {0.0F, 1.0F, 30.0F}, 80.0F),
                     lamp("under-the-roof", {0.0F, 7.2F, 18.0F}, {0.5F, 0.0F, 14.0F}, 120.0F)};
     scene.shadowDistance = 100.0F;
-    scene.ambient = ColourValue(0.12F, 0.12F, 0.14F);
-    scene.background = ColourValue(0.02F, 0.02F, 0.03F);
+    scene.sky = {ColourValue(0.12F, 0.12F, 0.14F), ColourValue(0.02F, 0.02F, 0.03F)};
     return scene;
 }
 

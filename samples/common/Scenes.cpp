@@ -9,7 +9,20 @@ namespace Lixel::Samples {
 
 const std::vector<SampleScene>& sampleScenes() {
     static const std::vector<SampleScene> scenes{fieldScene(), duelScene(), minersLampScene(),
-                                                 streetScene()};
+                                                 streetScene(),
+#ifdef LIXEL_SAMPLES_RTSS
+                                                 gardenScene()
+#endif
+    };
+    return scenes;
+}
+
+const std::vector<SampleScene>& measuredScenes() {
+    static const std::vector<SampleScene> scenes = [] {
+        std::vector<SampleScene> measured = sampleScenes();
+        std::erase_if(measured, [](const SampleScene& scene) { return scene.shaderSystem; });
+        return measured;
+    }();
     return scenes;
 }
 

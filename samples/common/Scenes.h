@@ -21,6 +21,14 @@ struct SampleLight {
     float outerDegrees = 0.0F;                    ///< spot: full angle of the outer cone
     float range = 0.0F;                           ///< spot and point: how far light reaches
     Ogre::ColourValue colour = Ogre::ColourValue(1.0F, 0.97F, 0.9F);
+    /// In scenes of OGRE's shader system: the `shadow_camera_setup` of a script that goes with it.
+    std::string shadowPreset{};
+};
+
+/// What is not lit by a scene's light.
+struct SampleSky {
+    Ogre::ColourValue ambient = Ogre::ColourValue(0.36F, 0.39F, 0.45F);
+    Ogre::ColourValue background = Ogre::ColourValue(0.66F, 0.76F, 0.85F);
 };
 
 /// Where a sample is seen from. y is up.
@@ -32,6 +40,7 @@ struct SampleView {
     float farDistance = 1000.0F;
     float fovYDegrees = 50.0F;
     std::optional<SampleLight> light; ///< a light that belongs to this view, instead of lights[0]
+    std::optional<SampleSky> sky{};   ///< a sky that belongs to this view, instead of the scene's
 };
 
 /// A scene with the views and lights under which it is shown and measured.
@@ -39,18 +48,24 @@ struct SampleScene {
     std::string name;  ///< for the command line: lower case, dashes
     std::string title; ///< one line for people
     /** Adds everything but camera and lights below the root scene node.
-        @exception Ogre::ItemIdentityException without the material Lixel/Surface
+        @exception Ogre::ItemIdentityException without the materials that it wears
     */
     std::function<void(Ogre::SceneManager&)> build;
     std::vector<SampleView> views;   ///< the default one first; at least two
     std::vector<SampleLight> lights; ///< the default one first
     float shadowDistance = 0.0F;     ///< view-space depth that shadows reach, scene units
-    Ogre::ColourValue ambient = Ogre::ColourValue(0.36F, 0.39F, 0.45F);
-    Ogre::ColourValue background = Ogre::ColourValue(0.66F, 0.76F, 0.85F);
+    SampleSky sky{};
+    /// Whether its materials have no programs, so that OGRE's shader system draws them, and are
+    /// those of media/. Others wear Lixel/Surface.
+    bool shaderSystem = false;
 };
 
-/// The scenes that are made by code, always the same: field, duel, miners-lamp, street.
+/// The scenes that are made by code, always the same: field, duel, miners-lamp, street and, where
+/// programs are built with OGRE's shader system, garden.
 const std::vector<SampleScene>& sampleScenes();
+
+/// Those on which setups are compared: all that wear Lixel/Surface.
+const std::vector<SampleScene>& measuredScenes();
 
 /// The scene of that name; null when there is none.
 const SampleScene* findSampleScene(const std::string& name);

@@ -1,10 +1,16 @@
 #include "common/Stage.h"
 
+#include "common/ResourceFile.h"
+#ifdef LIXEL_SAMPLES_RTSS
+#include "common/ShaderSystemStage.h"
+#endif
+
 #include <Lixel/headless/Headless.h>
 #include <Lixel/material/ShadowMaterials.h>
+#include <Lixel/script/ShadowCameraSetupManager.h>
+#include <Lixel/setup/FittedShadowCameraSetup.h>
 #include <Lixel/setup/MeshPreparation.h>
 
-#include <OgreConfigFile.h>
 #include <OgreLogManager.h>
 
 #define GLFW_INCLUDE_NONE
@@ -12,6 +18,7 @@
 #include <GLFW/glfw3.h>
 #include <GLFW/glfw3native.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -31,14 +38,25 @@ Function* glFunction(const char* name) {
         glXGetProcAddressARB(reinterpret_cast<const unsigned char*>(name)));
 }
 
-/// Adds what resources.cfg lists: "[group]" sections of "type=path".
-void addResources(const std::string& file) {
-    Ogre::ConfigFile config;
-    config.load(file);
-    for (const auto& [group, settings] : config.getSettingsBySection())
-        for (const auto& [type, path] : settings)
-            Ogre::ResourceGroupManager::getSingleton().addResourceLocation(
-                path, type, group.empty() ? "General" : group);
+/** What a light adds to each pixel, as a part of what it adds without shadows: 0 to 255, and 0
+    where that is nothing. It is that of the channel to which the light adds most.
+    @param shadowed, lit, dark RGB bytes: with shadows, without shadows, and without the light
+*/
+std::vector<std::uint8_t> shareOfLight(const std::vector<std::uint8_t>& shadowed,
+                                       const std::vector<std::uint8_t>& lit,
+                                       const std::vector<std::uint8_t>& dark) {
+    std::vector<std::uint8_t> shares(lit.size() / 3);
+    for (std::size_t pixel = 0; pixel < shares.size(); ++pixel) {
+        int most = 0;
+        for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
+            const int added = lit[i] - dark[i];
+            if (added <= most) continue;
+            most = added;
+            const int there = std::clamp(shadowed[i] - dark[i], 0, added);
+            shares[pixel] = static_cast<std::uint8_t>((255 * there + added / 2) / added);
+        }
+    }
+    return shares;
 }
 
 } // namespace
@@ -69,7 +87,8 @@ void Stage::open(const StageOptions& options) {
     mRoot->initialise(false);
     openWindow(options);
 
-    addResources(programFolder() + "/resources.cfg");
+    addResources(programFolder() + "/resources.cfg",
+                 [](const std::string& group) { return group != MediaGroup; });
     // Before scripts are parsed: shadows need OGRE's own programs from RGN_INTERNAL.
     mSceneManager = options.sceneManagerType.empty()
                         ? mRoot->createSceneManager()
@@ -80,6 +99,9 @@ void Stage::open(const StageOptions& options) {
 
 void Stage::clear() {
     const Ogre::String type = mSceneManager->getTypeName();
+    mShaderSystem.reset();
+    mUsesPresets = false;
+    mSunMaps = mLampMaps = 1;
     mWindow->removeAllViewports();
     mRoot->destroySceneManager(mSceneManager);
     // All but OGRE's prefabs, which it never makes again.
@@ -138,32 +160,70 @@ void Stage::openWindow(const StageOptions& options) {
 }
 
 void Stage::show(const SampleScene& scene) {
+    if (scene.shaderSystem) startShaderSystem();
+    mUsesPresets = scene.shaderSystem;
     scene.build(*mSceneManager);
     // Read mesh shapes now, so early frames are fitted as well as later ones.
     for (const auto& [name, object] : mSceneManager->getMovableObjects("Entity"))
         Lixel::prepareMesh(static_cast<Ogre::Entity*>(object)->getMesh());
-    mSceneManager->setAmbientLight(scene.ambient);
+    mSky = scene.sky;
     mSceneManager->setShadowFarDistance(scene.shadowDistance);
-    mViewport->setBackgroundColour(scene.background);
     setView(scene.views.front());
     setLight(defaultLight(scene, scene.views.front()));
 }
 
+void Stage::startShaderSystem() {
+#ifdef LIXEL_SAMPLES_RTSS
+    mSceneManager->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    mShaderSystem = std::make_shared<ShaderSystemStage>(programFolder() + "/resources.cfg",
+                                                        MediaGroup, *mSceneManager, *mViewport);
+#else
+    throw std::runtime_error("this program was built without OGRE's shader system");
+#endif
+}
+
 void Stage::setView(const SampleView& view) {
+    const SampleSky& sky = view.sky ? *view.sky : mSky;
+    mSceneManager->setAmbientLight(sky.ambient);
+    mViewport->setBackgroundColour(sky.background);
     applyView(view, *mCamera);
 }
 
 void Stage::setLight(const SampleLight& light) {
     applyLight(light, *mLight);
+    mLightPreset = light.shadowPreset;
+    updateMaps();
 }
 
-void Stage::setShadowSetup(const Ogre::ShadowCameraSetupPtr& setup) {
+void Stage::setShadowSetup(const Ogre::ShadowCameraSetupPtr& setup, std::size_t sunMaps) {
+    mUsesPresets = false;
+    mSunMaps = sunMaps;
+    // One for each side; OGRE's own setups would make the same six times.
+    mLampMaps = dynamic_cast<const FittedShadowCameraSetup*>(setup.get()) != nullptr ? 6 : 1;
     mLight->setCustomShadowCameraSetup(setup);
+    updateMaps();
+}
+
+void Stage::usePresets() {
+    mUsesPresets = mShaderSystem != nullptr;
+    updateMaps();
 }
 
 void Stage::setShadowMapSize(int texels) {
-    mSceneManager->setShadowTextureSettings(static_cast<unsigned short>(texels), 1,
-                                            Ogre::PF_FLOAT32_R);
+    mMapSize = texels;
+    std::size_t maps = 1;
+    if (mShaderSystem) maps = mSceneManager->getShadowTextureCountPerLightType(mLight->getType());
+    mSceneManager->setShadowTextureSettings(static_cast<unsigned short>(texels),
+                                            static_cast<unsigned short>(maps), Ogre::PF_FLOAT32_R);
+}
+
+void Stage::updateMaps() {
+    if (!mShaderSystem) return;
+    mSceneManager->setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, mSunMaps);
+    mSceneManager->setShadowTextureCountPerLightType(Ogre::Light::LT_POINT, mLampMaps);
+    if (mUsesPresets && !mLightPreset.empty())
+        ShadowCameraSetupManager::getByName(mLightPreset)->applyTo(*mLight);
+    setShadowMapSize(mMapSize);
 }
 
 void Stage::drawFrame() {
@@ -178,6 +238,7 @@ std::vector<std::uint8_t> Stage::picture() {
 }
 
 std::vector<std::uint8_t> Stage::drawVisibility() {
+    if (mShaderSystem) return visibilityOfBrightness();
     const Ogre::ColourValue ambient = mSceneManager->getAmbientLight();
     mSceneManager->setAmbientLight(Ogre::ColourValue::Black);
     auto& materials = Ogre::MaterialManager::getSingleton();
@@ -192,6 +253,29 @@ std::vector<std::uint8_t> Stage::drawVisibility() {
     for (std::size_t i = 0; i < visibility.size(); ++i)
         visibility[i] = rgb[3 * i];
     return visibility;
+}
+
+std::vector<std::uint8_t> Stage::visibilityOfBrightness() {
+    const Ogre::ColourValue ambient = mSceneManager->getAmbientLight();
+    const Ogre::ColourValue diffuse = mLight->getDiffuseColour();
+    const Ogre::ColourValue specular = mLight->getSpecularColour();
+    const auto draw = [&] {
+        drawFrame();
+        return picture();
+    };
+    mSceneManager->setAmbientLight(Ogre::ColourValue::Black);
+    const std::vector<std::uint8_t> shadowed = draw();
+    mLight->setCastShadows(false);
+    const std::vector<std::uint8_t> lit = draw();
+    // Not hidden: the shader system would make all programs anew for another number of lights.
+    mLight->setDiffuseColour(Ogre::ColourValue::Black);
+    mLight->setSpecularColour(Ogre::ColourValue::Black);
+    const std::vector<std::uint8_t> dark = draw();
+    mLight->setDiffuseColour(diffuse);
+    mLight->setSpecularColour(specular);
+    mLight->setCastShadows(true);
+    mSceneManager->setAmbientLight(ambient);
+    return shareOfLight(shadowed, lit, dark);
 }
 
 void Stage::finish() {

@@ -44,11 +44,22 @@ public:
     /// Null when headless.
     GLFWwindow* glfwWindow() { return mGlfwWindow.get(); }
 
-    /// Builds the scene, with additive texture shadows and Lixel's caster and receiver.
+    /** Builds the scene, with additive texture shadows and Lixel's caster and receiver.
+
+        A scene of OGRE's shader system has integrated shadows and the presets of its lights.
+        @exception std::runtime_error for such a scene, where programs are built without it
+    */
     void show(const SampleScene& scene);
     void setView(const SampleView& view);
     void setLight(const SampleLight& light);
-    void setShadowSetup(const Ogre::ShadowCameraSetupPtr& setup);
+    /// @param sunMaps shadow maps that a sun has with it, in a scene of OGRE's shader system; a
+    /// point light has six of Lixel's setups there, and one of OGRE's
+    void setShadowSetup(const Ogre::ShadowCameraSetupPtr& setup, std::size_t sunMaps = 1);
+    /// In a scene of OGRE's shader system, instead of a setup: whichever light is set has its own
+    /// preset, as when the scene was shown.
+    void usePresets();
+    /// The name of the preset in use; empty where there is none.
+    std::string preset() const { return mUsesPresets ? mLightPreset : ""; }
     void setShadowMapSize(int texels);
 
     /// Begins anew, with a scene manager of the same type. Its scene, camera, viewport and light
@@ -62,7 +73,10 @@ public:
     std::vector<std::uint8_t> picture();
 
     /** Draws a frame that shows, instead of the scene, how much of the light each pixel gets: one
-        byte each, row 0 at the top, 255 for lit. Exactly the frame that drawFrame would draw. */
+        byte each, row 0 at the top, 255 for lit. Exactly the frame that drawFrame would draw.
+
+        In a scene of OGRE's shader system it follows from three frames: what the light adds to a
+        pixel, as a part of what it would add without shadows; 0 where that is nothing. */
     std::vector<std::uint8_t> drawVisibility();
 
     /// Waits until everything drawn is drawn.
@@ -75,6 +89,12 @@ private:
     /// Gives a new scene manager camera, viewport, light and shadows.
     void furnish();
     void openWindow(const StageOptions& options);
+    /// For a scene of OGRE's shader system.
+    void startShaderSystem();
+    /// Gives the light its preset, if they are used, and it and the scene manager as many maps as
+    /// it has, in a scene of OGRE's shader system.
+    void updateMaps();
+    std::vector<std::uint8_t> visibilityOfBrightness();
 
     /// Ends GLFW, too.
     struct CloseGlfwWindow {
@@ -90,7 +110,20 @@ private:
     Ogre::SceneManager* mSceneManager = nullptr;
     Ogre::Camera* mCamera = nullptr;
     Ogre::Light* mLight = nullptr;
+
+    SampleSky mSky;
+    int mMapSize = 1024;
+    /// What setups other than presets have, in a scene of OGRE's shader system.
+    std::size_t mSunMaps = 1;
+    std::size_t mLampMaps = 1;
+    std::string mLightPreset;
+    bool mUsesPresets = false;
+    /// A ShaderSystemStage while such a scene is shown. It goes before the scene manager and Root.
+    std::shared_ptr<void> mShaderSystem;
 };
+
+/// The resource group of media/, which is there while a scene of OGRE's shader system is shown.
+inline constexpr const char* MediaGroup = "Media";
 
 /// Folder of the running program, where its plugins.cfg and resources.cfg are.
 std::string programFolder();

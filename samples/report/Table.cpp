@@ -98,7 +98,7 @@ void measureScene(const SampleScene& scene, const TableOptions& options,
 
 std::vector<TableCase> measureTable(const TableOptions& options) {
     std::vector<TableCase> cases;
-    for (const SampleScene& scene : sampleScenes())
+    for (const SampleScene& scene : measuredScenes())
         measureScene(scene, options, cases);
     if (!options.modelFile.empty()) measureScene(modelScene(options.modelFile), options, cases);
     return cases;

@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     std::vector<std::string> names;
-    for (const SampleScene& scene : sampleScenes())
+    for (const SampleScene& scene : measuredScenes())
         names.push_back(scene.name);
     if (!options.modelFile.empty()) names.emplace_back();
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The browser in a window, used through the keyboard: window.sh BROWSER FOLDER, under an X server.
+# The browser in a window, used through the keyboard: window.sh BROWSER FOLDER [garden], under an X
+# server. With garden, where there is that sample.
 #
 # The window opens, a picture taken with F12 is the headless one to the byte, number keys switch
 # setups, W flies, every mouse button looks around, and Esc ends the program. What the command line
@@ -119,4 +120,19 @@ expect "could not be written"
 xdotool key 1
 expect "^Uniform: "
 close_browser
+
+if [ "${3:-}" = garden ]; then
+    open_browser --sample garden --size 320x240 --map 256 --output window.png
+    xdotool key 1
+    expect "^Uniform: "
+    take_picture window.png
+    mv window.png before.png
+    xdotool key 0
+    expect "^Garden/Sun: "
+    take_picture window.png
+    if cmp -s before.png window.png; then fail "0 did not bring the scene's own setup back"; fi
+    xdotool key v v v 0
+    expect "^Lixel/Point: "
+    close_browser
+fi
 echo "Pictures equal the headless ones; 1, 2, 9, V, W, F12, Esc and mouse buttons work."

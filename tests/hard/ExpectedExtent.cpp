@@ -143,7 +143,7 @@ int printExtents(const std::vector<const HardCase*>& cases) {
     fmt::print("\n");
     hard.print("hard cases");
     int worse = hard.worse();
-    for (const SampleScene& sample : sampleScenes()) {
+    for (const SampleScene& sample : measuredScenes()) {
         const Summary summary = summaryOf(sample);
         summary.print(sample.name);
         worse += summary.worse();

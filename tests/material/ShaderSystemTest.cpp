@@ -1,7 +1,7 @@
 // Lixel's setups under the programs that OGRE's shader system makes for fixed-function materials.
 
 #include "MaterialScene.h"
-#include "StartedShaderSystem.h"
+#include "common/StartedShaderSystem.h"
 
 #include <Lixel/setup/ShadowCameraSetups.h>
 
@@ -13,7 +13,7 @@ namespace {
 using Ogre::RTShader::ShaderGenerator;
 
 /// OGRE's shader system, for the scene's viewport; it has to go before Root.
-class ShaderSystem : public StartedShaderSystem {
+class ShaderSystem : public Samples::StartedShaderSystem {
 public:
     explicit ShaderSystem(MaterialScene& scene) {
         generator.addSceneManager(&scene.stage.sceneManager());

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "StartedShaderSystem.h"
 #include "TestStage.h"
+#include "common/StartedShaderSystem.h"
 
 #include <Lixel/rtss/ShaderSystem.h>
 
@@ -9,6 +9,8 @@
 #include <vector>
 
 namespace Lixel::Tests {
+
+using Samples::StartedShaderSystem;
 
 /// A picture's red, green and blue, row by row from the top.
 using Picture = std::vector<std::uint8_t>;

@@ -346,7 +346,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
                          });
 
 TEST(SampleScenes, AreFoundByName) {
-    EXPECT_EQ(sampleScenes().size(), 4U);
+    EXPECT_EQ(measuredScenes().size(), 4U);
     EXPECT_EQ(findSampleScene("no such scene"), nullptr);
 }
 

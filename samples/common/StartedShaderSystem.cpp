@@ -1,9 +1,9 @@
-#include "StartedShaderSystem.h"
+#include "common/StartedShaderSystem.h"
 
 #include <stdexcept>
 #include <string>
 
-namespace Lixel::Tests {
+namespace Lixel::Samples {
 
 using Ogre::RTShader::ShaderGenerator;
 
@@ -59,4 +59,4 @@ Ogre::Technique* StartedShaderSystem::handleSchemeNotFound(unsigned short,
     return nullptr;
 }
 
-} // namespace Lixel::Tests
+} // namespace Lixel::Samples

@@ -3,7 +3,7 @@
 #include <Ogre.h>
 #include <RTShaderSystem/OgreRTShaderSystem.h>
 
-namespace Lixel::Tests {
+namespace Lixel::Samples {
 
 /// OGRE's shader system for one scheme, which draws materials that have none for it, as an
 /// application runs it.
@@ -23,4 +23,4 @@ public:
     static constexpr const char* Scheme = "ShaderGeneratorDefaultScheme";
 };
 
-} // namespace Lixel::Tests
+} // namespace Lixel::Samples
