@@ -99,12 +99,16 @@ Measurement measureFrames(Stage& stage, int frames) {
 
 ClassificationError measureError(Stage& stage, const ShadowOracle& oracle, double shadowDistance,
                                  std::vector<std::uint8_t>* visibility, ShadowTruth* truth) {
-    const std::vector<std::uint8_t> drawn = stage.drawVisibility();
+    std::vector<bool> isLit;
+    const std::vector<std::uint8_t> drawn = stage.drawVisibility(&isLit);
     const Eigen::Vector3d& origin = oracle.scene().wsOrigin;
-    const ShadowTruth exact = oracle.classify(
+    ShadowTruth exact = oracle.classify(
         oracleView(stage.camera(), static_cast<int>(stage.window().getWidth()),
                    static_cast<int>(stage.window().getHeight()), shadowDistance, origin),
         oracleLight(stage.light(), origin));
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (!isLit[i] && exact.pixels[i] != PixelClass::Background)
+            exact.pixels[i] = PixelClass::Unlit;
     const ClassificationError error = compareWithTruth(exact, drawn);
     if (visibility != nullptr) *visibility = drawn;
     if (truth != nullptr) *truth = exact;

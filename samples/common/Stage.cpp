@@ -41,11 +41,15 @@ Function* glFunction(const char* name) {
 /** What a light adds to each pixel, as a part of what it adds without shadows: 0 to 255, and 0
     where that is nothing. It is that of the channel to which the light adds most.
     @param shadowed, lit, dark RGB bytes: with shadows, without shadows, and without the light
+    @param[out] isLit if not null, which pixels the light adds enough to for a part to be told
 */
 std::vector<std::uint8_t> shareOfLight(const std::vector<std::uint8_t>& shadowed,
                                        const std::vector<std::uint8_t>& lit,
-                                       const std::vector<std::uint8_t>& dark) {
+                                       const std::vector<std::uint8_t>& dark,
+                                       std::vector<bool>* isLit) {
+    constexpr int LeastLight = 8; // of 255: a half is then told to a sixteenth
     std::vector<std::uint8_t> shares(lit.size() / 3);
+    if (isLit != nullptr) isLit->assign(shares.size(), false);
     for (std::size_t pixel = 0; pixel < shares.size(); ++pixel) {
         int most = 0;
         for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
@@ -55,6 +59,7 @@ std::vector<std::uint8_t> shareOfLight(const std::vector<std::uint8_t>& shadowed
             const int there = std::clamp(shadowed[i] - dark[i], 0, added);
             shares[pixel] = static_cast<std::uint8_t>((255 * there + added / 2) / added);
         }
+        if (isLit != nullptr) (*isLit)[pixel] = most >= LeastLight;
     }
     return shares;
 }
@@ -237,8 +242,8 @@ std::vector<std::uint8_t> Stage::picture() {
     return bytes;
 }
 
-std::vector<std::uint8_t> Stage::drawVisibility() {
-    if (mShaderSystem) return visibilityOfBrightness();
+std::vector<std::uint8_t> Stage::drawVisibility(std::vector<bool>* isLit) {
+    if (mShaderSystem) return visibilityOfBrightness(isLit);
     const Ogre::ColourValue ambient = mSceneManager->getAmbientLight();
     mSceneManager->setAmbientLight(Ogre::ColourValue::Black);
     auto& materials = Ogre::MaterialManager::getSingleton();
@@ -252,10 +257,11 @@ std::vector<std::uint8_t> Stage::drawVisibility() {
     std::vector<std::uint8_t> visibility(rgb.size() / 3);
     for (std::size_t i = 0; i < visibility.size(); ++i)
         visibility[i] = rgb[3 * i];
+    if (isLit != nullptr) isLit->assign(visibility.size(), true);
     return visibility;
 }
 
-std::vector<std::uint8_t> Stage::visibilityOfBrightness() {
+std::vector<std::uint8_t> Stage::visibilityOfBrightness(std::vector<bool>* isLit) {
     const Ogre::ColourValue ambient = mSceneManager->getAmbientLight();
     const Ogre::ColourValue diffuse = mLight->getDiffuseColour();
     const Ogre::ColourValue specular = mLight->getSpecularColour();
@@ -275,7 +281,7 @@ std::vector<std::uint8_t> Stage::visibilityOfBrightness() {
     mLight->setSpecularColour(specular);
     mLight->setCastShadows(true);
     mSceneManager->setAmbientLight(ambient);
-    return shareOfLight(shadowed, lit, dark);
+    return shareOfLight(shadowed, lit, dark, isLit);
 }
 
 void Stage::finish() {

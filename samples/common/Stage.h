@@ -76,8 +76,10 @@ public:
         byte each, row 0 at the top, 255 for lit. Exactly the frame that drawFrame would draw.
 
         In a scene of OGRE's shader system it follows from three frames: what the light adds to a
-        pixel, as a part of what it would add without shadows; 0 where that is nothing. */
-    std::vector<std::uint8_t> drawVisibility();
+        pixel, as a part of what it would add without shadows; 0 where that is nothing.
+        @param[out] isLit if not null, where that is enough to be told: not where its material's own
+        shading leaves a pixel dark. True everywhere in other scenes. */
+    std::vector<std::uint8_t> drawVisibility(std::vector<bool>* isLit = nullptr);
 
     /// Waits until everything drawn is drawn.
     void finish();
@@ -94,7 +96,7 @@ private:
     /// Gives the light its preset, if they are used, and it and the scene manager as many maps as
     /// it has, in a scene of OGRE's shader system.
     void updateMaps();
-    std::vector<std::uint8_t> visibilityOfBrightness();
+    std::vector<std::uint8_t> visibilityOfBrightness(std::vector<bool>* isLit);
 
     /// Ends GLFW, too.
     struct CloseGlfwWindow {

@@ -5,6 +5,9 @@
 #include "common/Setups.h"
 #include "report/BestXpsm.h"
 #include "report/Budgets.h"
+#ifdef LIXEL_SAMPLES_RTSS
+#include "report/Casters.h"
+#endif
 #include "report/Table.h"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +32,7 @@ struct Options {
     bool table = false;
     bool budgets = false;
     bool bestXpsm = false;
+    bool casters = false;
     std::string casesFile;
 };
 
@@ -46,7 +50,7 @@ std::vector<ComparedCase> compareScene(const std::string& name, const Options& o
                          });
 }
 
-/// Runs --table, --budgets or --best-xpsm. @return the program's exit status
+/// Runs --table, --budgets, --best-xpsm or --casters. @return the program's exit status
 int makeTable(const Options& options) {
     const std::vector<NamedSetup>& setups = emulatedSetups();
     const auto baseline = std::find_if(setups.begin(), setups.end(), [&](const NamedSetup& setup) {
@@ -61,6 +65,12 @@ int makeTable(const Options& options) {
     table.lights = options.lights;
     table.firstView = options.firstView;
     try {
+#ifdef LIXEL_SAMPLES_RTSS
+        if (options.casters) {
+            printCasters(options.width, options.height);
+            return 0;
+        }
+#endif
         if (options.bestXpsm) {
             printBestXpsm(table);
             return 0;
@@ -104,10 +114,16 @@ int main(int argc, char** argv) {
            "--best-xpsm", options.bestXpsm,
            "Optimal beside XPSM with the constants that are best for each scene, by emulation")
         ->excludes(assignments);
+#ifdef LIXEL_SAMPLES_RTSS
+    app.add_flag("--casters", options.casters,
+                 "The garden's kinds of casters, each alone, beside OGRE's own shadows")
+        ->excludes(assignments);
+#endif
     app.add_option("--cases", options.casesFile, "With --table: a file for every case's errors")
         ->needs(table);
     CLI11_PARSE(app, argc, argv);
-    if (options.table || options.bestXpsm || options.budgets) return makeTable(options);
+    if (options.table || options.bestXpsm || options.budgets || options.casters)
+        return makeTable(options);
     for (const std::string& name : {options.setup, options.baseline}) {
         if (findShadowSetup(name) == nullptr) {
             fmt::print(stderr, "lixel-report: {}\n", noneOfThatName("setup", name, shadowSetups()));
