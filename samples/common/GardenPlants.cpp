@@ -23,7 +23,7 @@ Vector3 anyDirection(Random& random) {
     return {flat * std::cos(angle), y, flat * std::sin(angle)};
 }
 
-/// A picture of leaves in the crown about `middle`. Its normals point away from the middle, so that
+/// A picture of leaves in the crown about `middle`. Its normals lean away from the middle, so that
 /// light and shade go around the crown as a whole.
 void addLeaves(MeshBuilder& mesh, const Vector3& centre, const Vector3& middle, float size,
                Random& random) {
@@ -37,7 +37,7 @@ void addLeaves(MeshBuilder& mesh, const Vector3& centre, const Vector3& middle, 
     std::array<Vector3, 4> normals;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         corners[i] = centre + turn * corners[i];
-        normals[i] = (corners[i] - middle + Vector3(0, 0.3F * size, 0)).normalisedCopy();
+        normals[i] = ((corners[i] - middle).normalisedCopy() + 0.7F * facing).normalisedCopy();
     }
     mesh.triangles(corners, normals, PictureUvs, PictureTriangles);
 }

@@ -12,6 +12,8 @@ namespace {
 /// Where OGRE's library of functions is, and with OGRE 14 its samplers.
 void addLibrary() {
     auto& groups = Ogre::ResourceGroupManager::getSingleton();
+    // OGRE 14 refuses to make its samplers twice.
+    if (groups.resourceLocationExists(OGRE_MEDIA_DIR "/RTShaderLib", Ogre::RGN_INTERNAL)) return;
     for (const char* folder : {"/GLSL", "/HLSL_Cg", ""})
         groups.addResourceLocation(std::string(OGRE_MEDIA_DIR "/RTShaderLib") + folder,
                                    "FileSystem", Ogre::RGN_INTERNAL);

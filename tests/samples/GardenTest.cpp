@@ -187,6 +187,7 @@ TEST_F(Garden, GardenerCastsTheShadowOfThePoseAndNotOfTheMesh) {
     const Vector3 middle = ws * Vector3(0.0F, 1.0F, 0.0F);
     lookDownAt(groundBelow(middle, toGround), 5.0F);
     draw();
+    Ogre::MaterialManager::getSingleton().setActiveScheme(stage.viewport().getMaterialScheme());
     EXPECT_TRUE(gardener.isHardwareAnimationEnabled()) << "OGRE bends it: nothing was tested";
     Ogre::Skeleton& skeleton = *gardener.getSkeleton();
     const std::pair<const char*, const char*> limbs[] = {{"armL", "forearmL"}, {"armR", "forearmR"},
