@@ -43,9 +43,9 @@ class ShaderGenerator;
     OGRE draws once for each light, or that have units of content_type shadow already. The log has
     one line for each material that cannot be shadowed, with the reason.
 
-    Skinned and instanced objects get a matching caster, unless their technique sets one. Dual
-    quaternions do not. The caster culls as the material does, and cuts the holes of the material's
-    first texture where the material is alpha-tested or blended.
+    Skinned and instanced objects get a matching caster, unless their technique sets one that has
+    programs. The caster culls as the material does, and cuts the holes of the material's first
+    texture where the material is alpha-tested or blended.
 
     Order: ShaderGenerator::initialize, then install or enable, then scripts are parsed. At the end
     ShaderGenerator::destroy before Root goes, as OGRE itself wants it, with shutdown before or
