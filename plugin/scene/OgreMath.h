@@ -6,6 +6,7 @@
 
 #include <OgreAxisAlignedBox.h>
 #include <OgreMatrix4.h>
+#include <OgreQuaternion.h>
 #include <OgreVector.h>
 
 /// Conversions between OGRE's single and the fit's double precision.
@@ -40,6 +41,12 @@ inline Transform3 relativeTransform(const Ogre::Affine3& wsFromOwn, const Vec3& 
 inline Ogre::Vector3 toOgre(const Vec3& v) {
     return {static_cast<Ogre::Real>(v.x()), static_cast<Ogre::Real>(v.y()),
             static_cast<Ogre::Real>(v.z())};
+}
+
+/// @param q of length 1
+inline Ogre::Quaternion toOgre(const Eigen::Quaterniond& q) {
+    return {static_cast<Ogre::Real>(q.w()), static_cast<Ogre::Real>(q.x()),
+            static_cast<Ogre::Real>(q.y()), static_cast<Ogre::Real>(q.z())};
 }
 
 inline Ogre::Matrix4 toOgre(const Mat4& m) {

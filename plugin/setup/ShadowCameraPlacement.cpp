@@ -43,6 +43,20 @@ Vec2 clipDistances(const ShadowFit& fit) {
     return isLocal ? Vec2(fit.lsNear, fit.lsFar) : Vec2(1.0, 2.0);
 }
 
+/** The orientation of a camera that looks along a direction, upright as those of OGRE's own setups.
+
+    The view matrix does not use it, but billboards and particles face by it. The light image's axes
+    would do for the direction, but not for what is up: they turn about it as suits the map. */
+Ogre::Quaternion orientationAlong(const Vec3& wsDirection) {
+    constexpr double Steep = 0.999; // 2.6 degrees
+    const Vec3 back = -wsDirection;
+    const Vec3 up = std::abs(back.y()) < Steep ? Vec3::UnitY() : Vec3::UnitZ();
+    const Vec3 right = up.cross(back).normalized();
+    Mat3 axes;
+    axes << right, back.cross(right), back;
+    return toOgre(Eigen::Quaterniond(axes));
+}
+
 } // namespace
 
 ShadowLight shadowLightOf(const Ogre::Light& light, const Ogre::Camera& viewer,
@@ -72,7 +86,10 @@ void placeShadowCamera(Ogre::Camera& camera, const ShadowFit& fit, const Vec3& w
     // With camera-relative rendering OGRE subtracts the camera's position and drops the view
     // matrix' translation: the camera stands where the fit has its eye, so both are exact.
     const Vec3 wsEye = wsOrigin + fit.wsEye;
-    if (Ogre::SceneNode* const node = camera.getParentSceneNode()) node->setPosition(toOgre(wsEye));
+    if (Ogre::SceneNode* const node = camera.getParentSceneNode()) {
+        node->setPosition(toOgre(wsEye));
+        node->setOrientation(orientationAlong(-fit.lsFromWs.row(2)));
+    }
     const double unit = unitOf(fit);
     Mat4 view = Mat4::Identity();
     view.topLeftCorner<3, 3>() = fit.lsFromWs / unit;

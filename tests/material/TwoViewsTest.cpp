@@ -91,8 +91,8 @@ TEST_P(TwoViews, AreTheSumOfEachLightInEachViewAlone) {
         }
     for (int& value : sum)
         value = std::min(value, 255);
-    constexpr double Rounding = 0.05; // percent of pixels, at edges
-    EXPECT_LT(differing(together, sum), Rounding);
+    constexpr double AtEdges = 0.05; // percent of pixels, by rounding
+    EXPECT_LT(differing(together, sum), AtEdges);
 }
 
 INSTANTIATE_TEST_SUITE_P(
