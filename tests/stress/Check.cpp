@@ -298,7 +298,7 @@ private:
 
     /// Modulative receivers fade where the light comes in low; the others need no limit.
     bool isFaded(const SurfacePoint& point, const OracleLight& light) const {
-        constexpr double FadeBelow = 0.12; // 0.1 in the program
+        constexpr double FadeBelow = 0.27; // 0.25 in the program
         return mWorld.technique == Ogre::SHADOWTYPE_TEXTURE_MODULATIVE &&
                point.normal.dot(wayToLight(point, light).normalized()) < FadeBelow;
     }
