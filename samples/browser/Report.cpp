@@ -1,5 +1,8 @@
 #include "browser/Report.h"
 
+#include <Lixel/scene/OgreVersions.h>
+
+#include <OgreGpuProgram.h>
 #include <OgreImage.h>
 
 #include <fmt/core.h>
@@ -8,6 +11,23 @@
 #include <fstream>
 
 namespace Lixel::Samples {
+namespace {
+
+struct Programs {
+    std::size_t known = 0; ///< that scripts have, and that OGRE's shader system has made
+    std::size_t used = 0;  ///< with which something was drawn
+};
+
+Programs countPrograms() {
+    Programs programs;
+    for (const auto& [handle, program] : programManager().getResourceIterator()) {
+        ++programs.known;
+        programs.used += program->isLoaded() ? 1 : 0;
+    }
+    return programs;
+}
+
+} // namespace
 
 void savePicture(const std::vector<std::uint8_t>& rgb, int width, int height,
                  const std::string& file) {
@@ -27,6 +47,7 @@ void savePicture(const std::vector<std::uint8_t>& rgb, int width, int height,
 void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& options) {
     Measurement measured = measureFrames(stage, options.frames);
     const std::vector<std::uint8_t> picture = stage.picture();
+    const Programs programs = countPrograms();
 
     const ShadowOracle oracle(collectTriangles(stage.sceneManager()));
     std::vector<std::uint8_t> visibility;
@@ -60,6 +81,8 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
             {"receiver_ms", measured.receiverMilliseconds},
             {"frame_ms", measured.frameMilliseconds},
             {"reason", measured.reason},
+            {"programs", programs.known},
+            {"programs_used", programs.used},
             {"gl_renderer", stage.glRenderer()},
         };
         std::ofstream file(options.stats);

@@ -36,7 +36,7 @@ for setup in $(sed -n '/^Setups:/,$s/^  //p' list); do
         --light 170,30 --view 2 --output "$setup.png" --stats "$setup.json" >/dev/null
     [ -s "$setup.png" ] || fail "no picture with $setup"
     for key in sample setup map width height error_percent acne_percent leak_percent survey_us \
-        fit_us caster_ms receiver_ms frame_ms reason gl_renderer; do
+        fit_us caster_ms receiver_ms frame_ms reason programs programs_used gl_renderer; do
         grep -q "\"$key\": " "$setup.json" || fail "no $key in the statistics of $setup"
     done
 done
