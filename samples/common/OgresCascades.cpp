@@ -23,7 +23,7 @@ using Ogre::RTShader::SubRenderState;
 constexpr unsigned short Maps = 3;
 
 #if OGRE_VERSION_MAJOR >= 14
-const char* const StateType = Ogre::RTShader::SRS_SHADOW_MAPPING;
+const Ogre::String& StateType = Ogre::RTShader::SRS_SHADOW_MAPPING;
 #else
 const Ogre::String& StateType = Ogre::RTShader::IntegratedPSSM3::Type;
 #endif
