@@ -30,7 +30,7 @@ picture() {
     shift
     "$browser" --headless --size 800x600 "$@" \
         --output "$file" --stats "$pictures/statistics.json" >/dev/null
-    printf '%-36s %-10s %4d %10.3f %10.1f\n' "$file" "$(statistic setup)" "$(statistic map)" \
+    printf '%-36s %-11s %4d %10.3f %10.1f\n' "$file" "$(statistic setup)" "$(statistic map)" \
         "$(statistic error_percent)" "$(statistic frame_ms)"
 }
 
@@ -63,7 +63,7 @@ if [ $# -gt 0 ]; then
 fi
 
 say "Drawing without a display, on $(nproc) CPU cores"
-printf '\n%-36s %-10s %4s %10s %10s\n' "picture" "setup" "map" "wrong (%)" "frame (ms)"
+printf '\n%-36s %-11s %4s %10s %10s\n' "picture" "setup" "map" "wrong (%)" "frame (ms)"
 picture field --sample field --map 512
 picture field-uniform --setup Uniform --sample field --map 512
 picture duel --sample duel

@@ -48,6 +48,14 @@ done
     sed -n '/^| keyword | values |/,/^$/{/^|/p}' "$readme"
 } | cmp - options || fail "the README's tables of options are not what --options prints"
 
+# Where Lixel is built with OGRE's shader system. Without --setup its lights have presets.
+if grep -qxF '  garden' list; then
+    "$browser" --headless --sample garden --map 128 --size 160x120 --frames 2 --output garden.png \
+        --stats garden.json >/dev/null
+    grep -q '"setup": "Garden/Sun"' garden.json || fail "the garden is not drawn with its preset"
+    [ -s garden.png ] || fail "no picture of the garden"
+fi
+
 "$browser" --headless --sample duel --setup XPSM --set strength=0 --set guarded=false --map 128 \
     --size 160x120 --output flat.png --comparison flat-comparison.png --stats flat.json >/dev/null
 "$browser" --headless --sample duel --setup Uniform --map 128 --size 160x120 --output uniform.png \
