@@ -82,12 +82,14 @@ void MaterialCheck::beginView(const std::string& scheme) {
     mMaps.clear();
     mWrongFormats.clear();
     listen(mLooks);
-    // In each view: OGRE crashes on these as soon as something wears them.
-    for (const std::string& dropped : dropUnusableShadowMaterials())
-        say(dropped);
     if (!mLooks) return;
     for (const std::string& missing : findMissingMaterials(mManager, scheme))
         say(missing + Manual);
+}
+
+void MaterialCheck::dropUnusable() {
+    for (const std::string& dropped : dropUnusableShadowMaterials(mManager))
+        say(dropped);
 }
 
 void MaterialCheck::checkMap(const Ogre::Texture& texture, const ShadowMap& map) {

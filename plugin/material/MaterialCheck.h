@@ -28,12 +28,15 @@ namespace Lixel {
     - receivers of another shadow technique;
     - programs whose parameters are bound wrongly, or that look for maps in the wrong units;
     - casters that write another depth than Lixel's receivers compare with;
-    - casters and receivers that do not bend what the surface's own program bends;
+    - casters and receivers that do not bend what the surface's own program bends, and instances that
+      no program places;
+    - holes that casters take for others, or that another pass of the technique fills;
     - shadow textures that cannot hold Lixel's depth, or that are too few;
     - lights without a setup.
 
     Looking costs time, so it is done in the first views of a scene manager, and after its shadow
-    technique, materials or numbers of maps changed; and then every Interval views.
+    technique, materials or numbers of maps changed; and then every Interval views. Only shadow
+    materials that cannot be drawn are looked for in every view.
 */
 class MaterialCheck : public Ogre::RenderObjectListener {
 public:
@@ -53,6 +56,9 @@ public:
     void endView();
     /// Whether this view is looked at.
     bool looks() const { return mLooks; }
+    /// What is queued is about to be drawn, by a viewer or into a map: takes those of its own shadow
+    /// materials away that cannot be drawn.
+    void dropUnusable();
     /// A map is about to be drawn into a shadow texture.
     void checkMap(const Ogre::Texture& texture, const ShadowMap& map);
     /// What is queued is about to be drawn.

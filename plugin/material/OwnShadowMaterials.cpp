@@ -1,7 +1,8 @@
 #include "material/OwnShadowMaterials.h"
 
+#include "material/QueuedPasses.h"
+
 #include <OgreMaterial.h>
-#include <OgreMaterialManager.h>
 #include <OgreTechnique.h>
 
 namespace Lixel {
@@ -20,26 +21,20 @@ std::string sentence(const Ogre::Technique& technique, const char* kind, const s
 
 } // namespace
 
-std::vector<std::string> dropUnusableShadowMaterials() {
+std::vector<std::string> dropUnusableShadowMaterials(Ogre::SceneManager& manager) {
     std::vector<std::string> lines;
-    for (const auto& [handle, resource] :
-         Ogre::MaterialManager::getSingleton().getResourceIterator()) {
-        if (!resource->isLoaded()) continue; // nothing wears it
-        for (Ogre::Technique* technique :
-             static_cast<const Ogre::Material&>(*resource).getTechniques()) {
-            const Ogre::MaterialPtr receiver = technique->getShadowReceiverMaterial();
-            if (receiver && !canBeDrawn(receiver)) {
-                lines.push_back(
-                    sentence(*technique, "shadow_receiver_material", receiver->getName()));
-                technique->setShadowReceiverMaterial(Ogre::MaterialPtr());
-            }
-            const Ogre::MaterialPtr caster = technique->getShadowCasterMaterial();
-            if (caster && !canBeDrawn(caster)) {
-                lines.push_back(sentence(*technique, "shadow_caster_material", caster->getName()));
-                technique->setShadowCasterMaterial(Ogre::MaterialPtr());
-            }
+    forQueuedTechniques(manager, [&](Ogre::Technique& technique) {
+        const Ogre::MaterialPtr receiver = technique.getShadowReceiverMaterial();
+        if (receiver && !canBeDrawn(receiver)) {
+            lines.push_back(sentence(technique, "shadow_receiver_material", receiver->getName()));
+            technique.setShadowReceiverMaterial(Ogre::MaterialPtr());
         }
-    }
+        const Ogre::MaterialPtr caster = technique.getShadowCasterMaterial();
+        if (caster && !canBeDrawn(caster)) {
+            lines.push_back(sentence(technique, "shadow_caster_material", caster->getName()));
+            technique.setShadowCasterMaterial(Ogre::MaterialPtr());
+        }
+    });
     return lines;
 }
 

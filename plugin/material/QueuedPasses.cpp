@@ -11,6 +11,7 @@
 #include <OgreTechnique.h>
 
 #include <set>
+#include <vector>
 
 namespace Lixel {
 namespace {
@@ -22,6 +23,17 @@ public:
 
     std::set<const Ogre::Pass*> passes;
 };
+
+using Collections = std::vector<const Ogre::QueuedRenderableCollection*>;
+
+Collections solidsOf(const Ogre::RenderPriorityGroup& priority) {
+    return {&priority.getSolidsBasic(), &priority.getSolidsDiffuseSpecular(),
+            &priority.getSolidsDecal(), &priority.getSolidsNoShadowReceive()};
+}
+
+Collections transparentsOf(const Ogre::RenderPriorityGroup& priority) {
+    return {&priority.getTransparents(), &priority.getTransparentsUnsorted()};
+}
 
 /// The pass by which OGRE draws another's lights, outside of integrated techniques; null where
 /// there is none but OGRE's own.
@@ -39,14 +51,32 @@ void forQueuedPasses(Ogre::SceneManager& manager,
         if (!group) continue;
         PassCollector collector;
         forPriorityGroups(*group, [&](const Ogre::RenderPriorityGroup& priority) {
-            for (const auto* solids :
-                 {&priority.getSolidsBasic(), &priority.getSolidsDiffuseSpecular(),
-                  &priority.getSolidsDecal(), &priority.getSolidsNoShadowReceive()})
+            for (const auto* solids : solidsOf(priority))
                 solids->acceptVisitor(&collector, Ogre::QueuedRenderableCollection::OM_PASS_GROUP);
         });
         for (const Ogre::Pass* pass : collector.passes)
             visit(*pass, group->getShadowsEnabled());
     }
+}
+
+void forQueuedTechniques(Ogre::SceneManager& manager,
+                         const std::function<void(Ogre::Technique&)>& visit) {
+    PassCollector collector;
+    for (const auto& group : manager.getRenderQueue()->_getQueueGroups()) {
+        if (!group) continue;
+        forPriorityGroups(*group, [&](const Ogre::RenderPriorityGroup& priority) {
+            for (const auto* solids : solidsOf(priority))
+                solids->acceptVisitor(&collector, Ogre::QueuedRenderableCollection::OM_PASS_GROUP);
+            for (const auto* transparents : transparentsOf(priority))
+                transparents->acceptVisitor(&collector,
+                                            Ogre::QueuedRenderableCollection::OM_SORT_DESCENDING);
+        });
+    }
+    std::set<Ogre::Technique*> techniques;
+    for (const Ogre::Pass* pass : collector.passes)
+        techniques.insert(pass->getParent());
+    for (Ogre::Technique* technique : techniques)
+        visit(*technique);
 }
 
 bool drawsLixelsReceivers(Ogre::SceneManager& manager) {

@@ -5,6 +5,7 @@
 namespace Ogre {
 class Pass;
 class SceneManager;
+class Technique;
 } // namespace Ogre
 
 namespace Lixel {
@@ -13,6 +14,10 @@ namespace Lixel {
 /// says whether its queue group receives shadows.
 void forQueuedPasses(Ogre::SceneManager& manager,
                      const std::function<void(const Ogre::Pass& pass, bool groupReceives)>& visit);
+
+/// Calls `visit` once for each technique that a scene manager is about to draw, transparent ones too.
+void forQueuedTechniques(Ogre::SceneManager& manager,
+                         const std::function<void(Ogre::Technique& technique)>& visit);
 
 /// Whether anything that a scene manager is about to draw reads Lixel's maps: by its own programs,
 /// or by the shadow receiver material of its technique or of the scene manager.

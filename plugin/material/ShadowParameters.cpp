@@ -82,6 +82,7 @@ public:
     void postFindVisibleObjects(Ogre::SceneManager*,
                                 Ogre::SceneManager::IlluminationRenderStage stage,
                                 Ogre::Viewport* viewport) override {
+        mCheck.dropUnusable();
         if (stage != Ogre::SceneManager::IRS_NONE) return;
         if (!mHasMaps) return mNoMapsCheck.checkQueue(*viewport);
         if (!mCheck.looks()) return;

@@ -1,6 +1,5 @@
 #include "material/SharedParameters.h"
 
-
 #include <OgreGpuProgramManager.h>
 #include <OgreGpuProgramParams.h>
 #include <OgreSceneManager.h>

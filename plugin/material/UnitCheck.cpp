@@ -48,7 +48,7 @@ bool rejectsAlpha(const Ogre::Pass& pass) {
     return pass.getAlphaRejectFunction() != Ogre::CMPF_ALWAYS_PASS;
 }
 
-/// Holes of one of a technique's passes that this one fills.
+/// Finds passes of the same technique whose holes this pass fills.
 void addFilledHoles(const Ogre::Pass& pass, std::vector<std::string>& wrong) {
     if (rejectsAlpha(pass)) return;
     for (const Ogre::Pass* other : pass.getParent()->getPasses())

@@ -8,7 +8,7 @@ namespace Lixel {
 /// What scripts set of a program with keywords of its language, such as preprocessor_defines.
 Ogre::NameValuePairList settingsOf(const Ogre::GpuProgram& program);
 
-/// Sets those that the program has otherwise: OGRE warns of some whenever they are set.
+/// Sets only those whose values differ: OGRE warns about some whenever they are set.
 void setSettings(Ogre::GpuProgram& program, const Ogre::NameValuePairList& settings);
 
 /// Loads a program; it stays unloaded where a file is missing, which the log has.

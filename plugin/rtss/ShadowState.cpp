@@ -10,6 +10,7 @@
 
 #include <OgreMaterial.h>
 #include <OgrePass.h>
+#include <OgreSceneManager.h>
 #include <OgreTechnique.h>
 #include <OgreTextureUnitState.h>
 #include <OgreUserObjectBindings.h>

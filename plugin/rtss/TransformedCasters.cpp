@@ -84,7 +84,7 @@ Ogre::MaterialPtr makeCaster(const Ogre::Material& plain, const std::string& nam
 Ogre::MaterialPtr casterFor(const VertexTransform& transform, const Ogre::Pass& surface) {
     auto& materials = Ogre::MaterialManager::getSingleton();
     const Ogre::MaterialPtr plain = materials.getByName(PlainCaster);
-    if (!plain || !pluginIsLoaded()) return {};
+    if (!plain) return {};
     const std::string name = PlainCaster + nameOf(transform) + surfaceNameOf(surface);
     Ogre::MaterialPtr caster = materials.getByName(name, plain->getGroup());
     // The texture of a material may be another since its last program was made.
@@ -98,6 +98,7 @@ Ogre::MaterialPtr casterFor(const VertexTransform& transform, const Ogre::Pass& 
 /// Whether the shader system draws a caster: it has no programs of its own, and so writes what the
 /// shader system's own receivers read, which is not what Lixel's do.
 bool isOfShaderSystem(const Ogre::Material& caster) {
+    if (caster.getNumTechniques() == 0) return false;
     const Ogre::Technique* const technique = caster.getTechnique(0);
     return technique->getNumPasses() > 0 && !technique->getPass(0)->hasVertexProgram();
 }
@@ -113,19 +114,21 @@ std::string setCaster(Ogre::Pass& pass, Ogre::RTShader::Program& vertexProgram) 
     // Set 0 has the coordinates of the alpha texture, and a matrix takes three of the eight sets.
     constexpr int FirstSet = 1, LastSet = 5;
     Ogre::Technique& technique = *pass.getParent();
-    if (const Ogre::MaterialPtr caster = technique.getShadowCasterMaterial()) {
-        if (!isOfShaderSystem(*caster) || hasShadowUnits(pass) || !pluginIsLoaded()) return {};
-        technique.setShadowCasterMaterial(Ogre::MaterialPtr());
-    }
+    if (!pluginIsLoaded()) return {};
+    const Ogre::MaterialPtr own = technique.getShadowCasterMaterial();
+    if (own && (!isOfShaderSystem(*own) || hasShadowUnits(pass))) return {};
     const VertexTransform transform = transformOf(vertexProgram);
     // Neither needs no caster, and OGRE does not draw both.
-    if (transform.isSkinned() == transform.matrixSet.has_value()) return {};
+    if (transform.isSkinned() == transform.matrixSet.has_value()) {
+        technique.setShadowCasterMaterial(Ogre::MaterialPtr());
+        return {};
+    }
     if (transform.matrixSet && (*transform.matrixSet < FirstSet || *transform.matrixSet > LastSet))
         return "instances of material '" + technique.getParent()->getName() +
                "' cast wrong shadows: their matrices begin at texture coordinate set " +
                std::to_string(*transform.matrixSet) + ", and Lixel's caster reads those at " +
                std::to_string(FirstSet) + " to " + std::to_string(LastSet) +
-               "; name a shadow_caster_material in its technique";
+               "; give its technique a shadow_caster_material with programs";
     if (const Ogre::MaterialPtr caster = casterFor(transform, pass))
         technique.setShadowCasterMaterial(caster);
     return {};

@@ -15,7 +15,7 @@ namespace Lixel {
 /// How a vertex program of the shader system transforms vertices, where a world matrix does not do
 /// it alone.
 struct VertexTransform {
-    /// Bones that bend a mesh, and how many of them each vertex; 0 for none.
+    /// Number of bones, and of weights that each vertex has; 0 where there is no skinning.
     std::size_t bones = 0;
     std::size_t weights = 0;
     /// Whether bones are given in the object's space; otherwise in the world's.
@@ -32,12 +32,16 @@ struct VertexTransform {
     bool isSkinned() const { return bones > 0 && weights > 0; }
 };
 
+/// Reads it from a program's parameters and defines, which skinning and instancing have added theirs
+/// to.
 VertexTransform transformOf(Ogre::RTShader::Program& vertexProgram);
+
+// Of a transform that is skinned or instanced:
 
 /// A suffix for names, one for each transform.
 std::string nameOf(const VertexTransform& transform);
 
-/// What LixelCasterPlaced.vert is compiled with to transform alike, as preprocessor_defines.
+/// Preprocessor defines with which LixelCasterPlaced.vert transforms the same way.
 std::string definesOf(const VertexTransform& transform);
 
 /// Binds what it transforms with.

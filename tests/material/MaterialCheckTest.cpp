@@ -359,6 +359,22 @@ TEST(MaterialCheck, DropsOwnMaterialsThatDoNotCompile) {
     EXPECT_EQ(plain, scene.draw()) << "the scene manager's materials are used";
     EXPECT_EQ(log.count("'Test/OwnBrokenReceiver': its shadow_receiver_material"), 1U) << log.all();
 
+    // What OGRE loads only when it is queued.
+    Ogre::ManualObject* const sheet = scene.stage.sceneManager().createManualObject("sheet");
+    sheet->begin("Test/AnotherBrokenReceiver", Ogre::RenderOperation::OT_TRIANGLE_LIST);
+    for (const Ogre::Vector3& p :
+         {Ogre::Vector3(6, 0.1F, 6), Ogre::Vector3(6, 0.1F, 7), Ogre::Vector3(7, 0.1F, 7)}) {
+        sheet->position(p);
+        sheet->normal(Ogre::Vector3::UNIT_Y);
+    }
+    sheet->triangle(0, 1, 2);
+    sheet->end();
+    scene.stage.sceneManager().getRootSceneNode()->attachObject(sheet);
+    scene.draw();
+    EXPECT_EQ(log.count("'Test/AnotherBrokenReceiver': its shadow_receiver_material"), 1U)
+        << log.all();
+    scene.stage.sceneManager().destroyManualObject(sheet);
+
     // One that an application makes while it runs.
     auto& materials = Ogre::MaterialManager::getSingleton();
     Ogre::MaterialPtr made = materials.create("Test/MadeBroken", Ogre::RGN_DEFAULT);

@@ -9,6 +9,7 @@
 #include <OgreHighLevelGpuProgramManager.h>
 #include <OgreShadowCameraSetup.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>

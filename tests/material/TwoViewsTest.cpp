@@ -4,6 +4,7 @@
 
 #include <Lixel/setup/ShadowCameraSetups.h>
 
+#include <algorithm>
 #include <array>
 
 namespace Lixel::Tests {

@@ -4,7 +4,10 @@
 
 #include <OgreDualQuaternion.h>
 
+#include <algorithm>
 #include <array>
+#include <functional>
+#include <utility>
 
 namespace Lixel::Tests {
 namespace {

@@ -25,7 +25,7 @@ uniform mat3x4 scales[LIXEL_BONES];
 in mat3x4 LIXEL_MATRIX;
 #endif
 
-// Of what bones and instances' matrices give: a place in the world, or in the object.
+// To clip space from where bones and instances' matrices place vertices: the world, or the object.
 uniform mat4 clipFromPlaced;
 uniform mat4 diffuseMapMatrix; // scale, scroll, rotate of its texture unit
 

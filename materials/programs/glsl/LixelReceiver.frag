@@ -14,7 +14,7 @@ void main()
 #else
     float visibility = lixelVisibility(mapCoordinate);
 #endif
-    vec4 texel = lixelDiffuseMap(uv);
+    vec4 texel = lixelDiffuseMap(uv); // which also cuts the surface's holes
 #ifdef LIXEL_VISIBILITY_ONLY
     fragColour = vec4(vec3(visibility), 1.0);
 #else
