@@ -15,7 +15,7 @@ namespace {
 
 struct Programs {
     std::size_t known = 0; ///< that scripts have, and that OGRE's shader system has made
-    std::size_t used = 0;  ///< with which something was drawn
+    std::size_t used = 0;  ///< loaded: those of all materials that something wears
 };
 
 Programs countPrograms() {

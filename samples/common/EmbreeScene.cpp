@@ -143,8 +143,10 @@ void EmbreeScene::attach(unsigned number) {
     auto* indices = static_cast<std::uint32_t*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                 3 * sizeof(std::uint32_t), group.members.size()));
-    if (!vertices || !indices)
+    if (!vertices || !indices) {
+        rtcReleaseGeometry(geometry);
         throw std::runtime_error("ShadowOracle: Embree has no memory for the scene");
+    }
     for (const Vector3d& position : mScene.positions)
         for (int axis = 0; axis < 3; ++axis)
             *vertices++ = static_cast<float>(position(axis) - mCentre(axis));

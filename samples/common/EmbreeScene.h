@@ -2,6 +2,11 @@
 
 #include "common/ShadowOracle.h"
 
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
 struct RTCDeviceTy;
 struct RTCSceneTy;
 

@@ -2,6 +2,7 @@
 
 #include "common/GardenGround.h"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 

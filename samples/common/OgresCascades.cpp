@@ -54,10 +54,10 @@ std::shared_ptr<Ogre::PSSMShadowCameraSetup> makeSplits(Stage& stage) {
 
 OgresCascades::OgresCascades(Stage& stage, int mapSize) : mStage(stage), mMapSize(mapSize) {
     ShaderGenerator& generator = ShaderGenerator::getSingleton();
-    ShaderSystem::disable(generator);
     const auto splits = makeSplits(stage);
-    generator.getRenderState(StartedShaderSystem::Scheme)
-        ->addTemplateSubRenderState(makeState(*splits));
+    SubRenderState* const state = makeState(*splits);
+    ShaderSystem::disable(generator);
+    generator.getRenderState(StartedShaderSystem::Scheme)->addTemplateSubRenderState(state);
     stage.setShadowSetup(splits, Maps);
     Ogre::SceneManager& sceneManager = stage.sceneManager();
     sceneManager.setShadowTextureSettings(static_cast<unsigned short>(mapSize), Maps,

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace Lixel::Samples {
 namespace {

@@ -16,8 +16,13 @@ ShaderSystemStage::ShaderSystemStage(const std::string& resourceFile, const std:
     auto& groups = Ogre::ResourceGroupManager::getSingleton();
     // In the global pool, so that its scripts can import Lixel's.
     groups.createResourceGroup(group, true);
-    addResources(resourceFile, [&](const std::string& section) { return section == group; });
-    groups.initialiseResourceGroup(group);
+    try {
+        addResources(resourceFile, [&](const std::string& section) { return section == group; });
+        groups.initialiseResourceGroup(group);
+    } catch (...) {
+        groups.destroyResourceGroup(group);
+        throw;
+    }
 }
 
 ShaderSystemStage::~ShaderSystemStage() {

@@ -180,6 +180,7 @@ void Stage::show(const SampleScene& scene) {
 void Stage::startShaderSystem() {
 #ifdef LIXEL_SAMPLES_RTSS
     mSceneManager->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    mShaderSystem.reset(); // there is one shader system
     mShaderSystem = std::make_shared<ShaderSystemStage>(programFolder() + "/resources.cfg",
                                                         MediaGroup, *mSceneManager, *mViewport);
 #else

@@ -38,10 +38,13 @@ StartedShaderSystem::StartedShaderSystem() : generator(initialised()) {
 }
 
 StartedShaderSystem::~StartedShaderSystem() {
-    if (ShaderGenerator::getSingletonPtr() == nullptr) return;
-    Ogre::MaterialManager::getSingleton().removeListener(this);
+    if (auto* const materials = Ogre::MaterialManager::getSingletonPtr())
+        materials->removeListener(this);
+    // Which may be another by now, or gone.
+    ShaderGenerator* const current = ShaderGenerator::getSingletonPtr();
+    if (current == nullptr) return;
     // OGRE 14 insists that no material uses it any more.
-    generator.removeAllShaderBasedTechniques();
+    current->removeAllShaderBasedTechniques();
     ShaderGenerator::destroy();
 }
 

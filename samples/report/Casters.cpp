@@ -10,8 +10,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <stdexcept>
+#include <vector>
 
 namespace Lixel::Samples {
 namespace {
@@ -151,27 +153,35 @@ KindErrors measureKind(Stage& stage, const SampleScene& scene) {
     return errors;
 }
 
-} // namespace
-
-void printCasters(int width, int height) {
-    const SampleScene* const scene = findSampleScene("garden");
-    if (scene == nullptr)
-        throw std::runtime_error("the garden needs OGRE's shader system (LIXEL_BUILD_RTSS)");
-    Stage stage({.headless = true, .width = width, .height = height});
-    stage.show(*scene);
-    readHolesAtFullSize(MediaGroup);
-    stage.drawFrame(); // OGRE updates instances' bounds from its second frame on
+/// A line for each kind.
+void printKinds(Stage& stage, const SampleScene& scene) {
     const Casters casters(stage.sceneManager());
     fmt::print("Wrong pixels, in percent of those in shadow, and of all that count\n\n"
                "{:<24} {:>10} {:>10} {:>7} {:>10} {:>7}\n",
                "what casts", "in shadow", "Lixel", "of all", "OGRE PSSM", "of all");
     for (const CasterKind& kind : kinds()) {
         casters.allow(kind);
-        const KindErrors errors = measureKind(stage, *scene);
+        const KindErrors errors = measureKind(stage, scene);
         fmt::print("{:<24} {:>10} {:>10.2f} {:>7.3f} {:>10.2f} {:>7.3f}\n", kind.name,
                    errors.lixel.shadowed, errors.lixel.ofShadowed(), errors.lixel.ofCounted(),
                    errors.ogre.ofShadowed(), errors.ogre.ofCounted());
         std::fflush(stdout);
+    }
+}
+
+} // namespace
+
+void printCasters(int width, int height) {
+    const SampleScene& scene = *findSampleScene("garden");
+    Stage stage({.headless = true, .width = width, .height = height});
+    stage.show(scene);
+    readHolesAtFullSize(MediaGroup);
+    stage.drawFrame(); // OGRE updates instances' bounds from its second frame on
+    try {
+        printKinds(stage, scene);
+    } catch (const Ogre::Exception& error) {
+        // Its type may live in a plugin of the stage's.
+        throw std::runtime_error(error.getDescription());
     }
 }
 

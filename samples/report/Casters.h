@@ -7,7 +7,6 @@ namespace Lixel::Samples {
 
     Lixel's preset of the scene is drawn, and beside it, in the same views, OGRE's own shadows for
     materials of its shader system, in three maps of the same size.
-    @exception std::exception where Lixel is built without OGRE's shader system
 */
 void printCasters(int width, int height);
 

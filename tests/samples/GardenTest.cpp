@@ -216,7 +216,9 @@ TEST_F(Garden, LanternShadowsTheGround) {
     stage.setLight(*night->light);
     EXPECT_EQ(stage.preset(), "Lixel/Point");
     // Behind the gardener's middle, and beside it.
-    const Ogre::SceneNode& node = *showOnly("Garden/Skin").front()->getParentSceneNode();
+    const std::vector<Ogre::MovableObject*> gardeners = showOnly("Garden/Skin");
+    ASSERT_EQ(gardeners.size(), 1U);
+    const Ogre::SceneNode& node = *gardeners.front()->getParentSceneNode();
     const Vector3 lamp = night->light->position;
     const Vector3 middle = node._getFullTransform() * Vector3(0.0F, 0.85F, 0.0F);
     const Vector3 away = (middle - lamp).normalisedCopy();
