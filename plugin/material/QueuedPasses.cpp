@@ -11,7 +11,6 @@
 #include <OgreTechnique.h>
 
 #include <set>
-#include <vector>
 
 namespace Lixel {
 namespace {
@@ -24,15 +23,23 @@ public:
     std::set<const Ogre::Pass*> passes;
 };
 
-using Collections = std::vector<const Ogre::QueuedRenderableCollection*>;
+using Ogre::QueuedRenderableCollection;
 
-Collections solidsOf(const Ogre::RenderPriorityGroup& priority) {
-    return {&priority.getSolidsBasic(), &priority.getSolidsDiffuseSpecular(),
-            &priority.getSolidsDecal(), &priority.getSolidsNoShadowReceive()};
+void collectSolids(const Ogre::RenderQueueGroup& group, PassCollector& collector) {
+    forPriorityGroups(group, [&](const Ogre::RenderPriorityGroup& priority) {
+        for (const auto* solids :
+             {&priority.getSolidsBasic(), &priority.getSolidsDiffuseSpecular(),
+              &priority.getSolidsDecal(), &priority.getSolidsNoShadowReceive()})
+            solids->acceptVisitor(&collector, QueuedRenderableCollection::OM_PASS_GROUP);
+    });
 }
 
-Collections transparentsOf(const Ogre::RenderPriorityGroup& priority) {
-    return {&priority.getTransparents(), &priority.getTransparentsUnsorted()};
+void collectTransparents(const Ogre::RenderQueueGroup& group, PassCollector& collector) {
+    forPriorityGroups(group, [&](const Ogre::RenderPriorityGroup& priority) {
+        for (const auto* transparents :
+             {&priority.getTransparents(), &priority.getTransparentsUnsorted()})
+            transparents->acceptVisitor(&collector, QueuedRenderableCollection::OM_SORT_DESCENDING);
+    });
 }
 
 /// The pass by which OGRE draws another's lights, outside of integrated techniques; null where
@@ -50,10 +57,7 @@ void forQueuedPasses(Ogre::SceneManager& manager,
     for (const auto& group : manager.getRenderQueue()->_getQueueGroups()) {
         if (!group) continue;
         PassCollector collector;
-        forPriorityGroups(*group, [&](const Ogre::RenderPriorityGroup& priority) {
-            for (const auto* solids : solidsOf(priority))
-                solids->acceptVisitor(&collector, Ogre::QueuedRenderableCollection::OM_PASS_GROUP);
-        });
+        collectSolids(*group, collector);
         for (const Ogre::Pass* pass : collector.passes)
             visit(*pass, group->getShadowsEnabled());
     }
@@ -64,13 +68,8 @@ void forQueuedTechniques(Ogre::SceneManager& manager,
     PassCollector collector;
     for (const auto& group : manager.getRenderQueue()->_getQueueGroups()) {
         if (!group) continue;
-        forPriorityGroups(*group, [&](const Ogre::RenderPriorityGroup& priority) {
-            for (const auto* solids : solidsOf(priority))
-                solids->acceptVisitor(&collector, Ogre::QueuedRenderableCollection::OM_PASS_GROUP);
-            for (const auto* transparents : transparentsOf(priority))
-                transparents->acceptVisitor(&collector,
-                                            Ogre::QueuedRenderableCollection::OM_SORT_DESCENDING);
-        });
+        collectSolids(*group, collector);
+        collectTransparents(*group, collector);
     }
     std::set<Ogre::Technique*> techniques;
     for (const Ogre::Pass* pass : collector.passes)
