@@ -32,8 +32,8 @@ struct VertexTransform {
     bool isSkinned() const { return bones > 0 && weights > 0; }
 };
 
-/// Reads it from a program's parameters and defines, which skinning and instancing have added theirs
-/// to.
+/// Reads it from a program's parameters and defines. Call it after skinning and instancing have added
+/// theirs.
 VertexTransform transformOf(Ogre::RTShader::Program& vertexProgram);
 
 // Of a transform that is skinned or instanced:

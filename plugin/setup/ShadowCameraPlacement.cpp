@@ -46,7 +46,8 @@ Vec2 clipDistances(const ShadowFit& fit) {
 /** The orientation of a camera that looks along a direction, upright as those of OGRE's own setups.
 
     The view matrix does not use it, but billboards and particles face by it. The light image's axes
-    would do for the direction, but not for what is up: they turn about it as suits the map. */
+    are no substitute: they are turned about the direction to suit the map, and billboards would be
+    turned with them. */
 Ogre::Quaternion orientationAlong(const Vec3& wsDirection) {
     constexpr double Steep = 0.999; // 2.6 degrees
     const Vec3 back = -wsDirection;

@@ -28,7 +28,7 @@ public:
         : mScene(scene), mFlipsMirrored(flipsMirrored) {}
 
     /** Reads the triangles of a part of an object.
-        @param operation with vertices as they are drawn, but for one transform
+        @param operation its vertices are blended, and not yet transformed to where they are drawn
         @param copies how often the buffers hold the part; the first is read
         @exception Ogre::InvalidParametersException as collectTriangles
     */

@@ -74,7 +74,7 @@ const std::vector<CasterKind>& kinds() {
     return all;
 }
 
-/// The objects of a scene that cast shadows at first, of which some may cast.
+/// All of a scene's casters. A kind of them can be chosen to cast alone.
 class Casters {
 public:
     explicit Casters(Ogre::SceneManager& sceneManager) {

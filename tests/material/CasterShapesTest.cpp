@@ -69,7 +69,7 @@ protected:
         const Ogre::MeshPtr mesh = makeArm();
         if (GetParam() != Shape::Mirrored) separatePositions(*mesh->getSubMesh(0)->vertexData);
         const Vector3 aside(1, 0, 2);
-        // Which OGRE leaves to whoever animates a mesh.
+        // OGRE does not widen a mesh's bounds by its animations.
         mesh->_setBounds(Ogre::AxisAlignedBox(-0.4F, 0, -0.4F, 3.4F, 3, 2.4F));
         if (GetParam() == Shape::Posed) addPose(*mesh, aside);
         if (GetParam() == Shape::Morphed) addMorph(*mesh, aside);

@@ -23,7 +23,7 @@ constexpr std::uint8_t Bright = 192;
 /// So many pixels, at least, have to be as expected: at edges they are on either side.
 constexpr double Almost = 0.98;
 
-/// Pixels of which something is expected.
+/// Counts pixels, and those that are as expected.
 struct Tally {
     int all = 0;
     int right = 0;

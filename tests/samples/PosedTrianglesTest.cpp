@@ -1,4 +1,4 @@
-// Triangles of what bones and morphing bend: whoever blends them, OGRE or a vertex program.
+// Triangles of meshes that bones and morphing bend, blended by OGRE or by a vertex program.
 
 #include "JointedPost.h"
 #include "OgreTest.h"

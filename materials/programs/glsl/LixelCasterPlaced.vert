@@ -1,7 +1,7 @@
 #version 330 core
-// Shadow caster whose vertices its program places: bent by LIXEL_BONES bones, of which
-// LIXEL_WEIGHTS move each vertex; or, where these are not defined, one of many instances, each with
-// the rows of its matrix in LIXEL_MATRIX, its texture coordinates from one set on.
+// Shadow caster whose vertices its program places. Either LIXEL_BONES bones bend them, and
+// LIXEL_WEIGHTS bones move each vertex. Or, where these are not defined, it is one of many instances:
+// LIXEL_MATRIX has the rows of its matrix, its texture coordinates from one set on.
 //
 // With LIXEL_QUATERNIONS bones are dual quaternions: (w, x, y, z) of the turn, then of the shift. With
 // LIXEL_SCALES a matrix scales and shears before them. With LIXEL_ANTIPODAL all are turned to the
