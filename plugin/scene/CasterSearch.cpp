@@ -1,11 +1,8 @@
 #include "scene/CasterSearch.h"
 
-#include "scene/NodeWalk.h"
 #include "scene/OgreMath.h"
 
 #include <OgreMovableObject.h>
-#include <OgreSceneManager.h>
-#include <OgreSceneNode.h>
 
 namespace Lixel {
 
@@ -34,15 +31,9 @@ void CasterSearch::clear(const Survey& survey) {
 }
 
 void CasterSearch::collect(const Survey& survey, const NodeCuller& volume) {
-    const bool culled = collectNodes(survey.rules().sceneManager(), volume, mNodes);
     std::size_t guess = 0;
-    for (const Ogre::SceneNode* node : mNodes) {
-        for (const Ogre::MovableObject* object : node->getAttachedObjects()) {
-            const Ogre::AxisAlignedBox& bounds = object->getWorldBoundingBox();
-            if ((culled && bounds == node->_getWorldAABB()) || !volume.excludes(bounds, guess))
-                add(survey, *object);
-        }
-    }
+    for (const auto& [object, touches] : mWalk.collect(survey.rules().sceneManager(), volume))
+        if (touches || !volume.excludes(object->getWorldBoundingBox(), guess)) add(survey, *object);
 }
 
 void CasterSearch::add(const Survey& survey, const Ogre::MovableObject& object) {

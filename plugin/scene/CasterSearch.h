@@ -36,7 +36,7 @@ private:
     BoxSet mCasters;
     ObjectShapes mShapes;
     CasterSweep mReach;
-    std::vector<Ogre::SceneNode*> mNodes;
+    NodeWalk mWalk;
 };
 
 } // namespace Lixel

@@ -72,6 +72,15 @@ void CasterVolume::set(const ShadowFit& fit, const Vec3& wsOrigin) {
     }
 }
 
+NodeCuller CasterVolume::volume() const {
+    static_assert(FocusPolygon::Capacity + 1 <= NodeCuller::Capacity);
+    NodeCuller volume;
+    if (mEmpty) volume.add(Vec3::Zero(), -1.0, Vec3::Zero());
+    for (std::size_t i = 0; i < mCount; ++i)
+        volume.add(mHalfSpaces[i].normal, mHalfSpaces[i].offset, mWsOrigin);
+    return volume;
+}
+
 bool CasterVolume::touches(const Vec3& ws, const Vec3& halfExtents, double radius) const {
     if (mEmpty) return false;
     const Vec3 relative = ws - mWsOrigin;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/problem/ShadowFit.h"
+#include "scene/NodeCuller.h"
 
 #include <OgreFrustum.h>
 
@@ -33,6 +34,9 @@ public:
     const Ogre::Plane& getFrustumPlane(unsigned short plane) const override {
         return mSixPlanes[plane];
     }
+
+    /// Its half spaces, for a scan; isVisible() decides where a box touches the border.
+    NodeCuller volume() const;
 
     /// Whether a sphere about `ws` (world) of `radius` or a box of those half extents touches it.
     bool touches(const Vec3& ws, const Vec3& halfExtents, double radius) const;

@@ -14,6 +14,15 @@ namespace Lixel {
 */
 class NodeCuller {
 public:
+    static constexpr std::size_t Capacity = ConvexVolume::Capacity;
+    /// normal . x + offset >= 0 in the world.
+    struct CullPlane {
+        double normal[3];
+        double offset;
+        /// Which end of a box is the farther one along the normal: 0 its minimum, 1 its maximum.
+        std::size_t end[3];
+    };
+
     /// Everything, to begin with.
     NodeCuller() = default;
     /// The planes are relative to `wsOrigin`, and widened for rounding at its scale.
@@ -38,13 +47,10 @@ public:
         return false;
     }
 
+    std::size_t size() const { return mCount; }
+    const CullPlane& operator[](std::size_t plane) const { return mPlanes[plane]; }
+
 private:
-    struct CullPlane {
-        double normal[3];
-        double offset;
-        /// Which end of a box is the farther one along the normal: 0 its minimum, 1 its maximum.
-        std::size_t end[3];
-    };
     static bool isBeyond(const CullPlane& plane, const float* const (&ends)[2]) {
         const auto along = [&](std::size_t axis) {
             return plane.normal[axis] * static_cast<double>(ends[plane.end[axis]][axis]);
@@ -52,7 +58,7 @@ private:
         return along(0) + along(1) + along(2) + plane.offset < 0.0;
     }
 
-    std::array<CullPlane, ConvexVolume::Capacity> mPlanes;
+    std::array<CullPlane, Capacity> mPlanes;
     std::size_t mCount = 0;
 };
 

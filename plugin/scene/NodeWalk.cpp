@@ -1,13 +1,18 @@
 #include "scene/NodeWalk.h"
 
+#include "scene/NodeStore.h"
 #include "scene/Octants.h"
 #include "scene/OgreVersions.h"
 
+#include <OgreMovableObject.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 
 namespace Lixel {
 namespace {
+
+/// How many nodes ahead memory is asked for, which comes from all over the heap.
+constexpr std::size_t NodesAhead = 16;
 
 class GraphWalk {
 public:
@@ -36,16 +41,44 @@ void collectAll(Ogre::SceneNode& node, std::vector<Ogre::SceneNode*>& nodes) {
 
 } // namespace
 
-bool collectNodes(Ogre::SceneManager& manager, const NodeCuller& volume,
-                  std::vector<Ogre::SceneNode*>& nodes) {
-    nodes.clear();
-    if (collectFromOctants(manager, volume, nodes)) return true;
-    const bool isDefault = isDefaultSceneManager(manager);
-    if (isDefault)
-        GraphWalk(volume, nodes).visit(*manager.getRootSceneNode());
-    else
-        collectAll(*manager.getRootSceneNode(), nodes);
-    return isDefault;
+void NodeWalk::collectFromStore(const NodeStore& store, const NodeCuller& volume) {
+    store.find(volume, mSearch);
+    std::size_t guess = 0;
+    mSearch.decide([&](NodeStore::Slot slot) { return volume.excludes(store.box(slot), guess); });
+    const std::vector<NodeStore::Slot>& found = mSearch.found;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (i + NodesAhead < found.size()) store.prefetch(found[i + NodesAhead]);
+        const Ogre::SceneNode& node = store.node(found[i]);
+        if (!node.isInSceneGraph()) continue;
+        if (Ogre::MovableObject* const object = store.onlyObject(found[i]))
+            mObjects.push_back({object, true});
+        else
+            for (Ogre::MovableObject* const several : node.getAttachedObjects())
+                mObjects.push_back({several, false});
+    }
+}
+
+std::span<const NodeWalk::Object> NodeWalk::collect(Ogre::SceneManager& manager,
+                                                    const NodeCuller& volume) {
+    mObjects.clear();
+    if (const NodeStore* const store = findStore(manager)) {
+        collectFromStore(*store, volume);
+        return mObjects;
+    }
+    mNodes.clear();
+    bool culled = true;
+    if (!collectFromOctants(manager, volume, mNodes)) {
+        culled = isDefaultSceneManager(manager);
+        if (culled)
+            GraphWalk(volume, mNodes).visit(*manager.getRootSceneNode());
+        else
+            collectAll(*manager.getRootSceneNode(), mNodes);
+    }
+    for (const Ogre::SceneNode* node : mNodes)
+        for (Ogre::MovableObject* object : node->getAttachedObjects())
+            mObjects.push_back(
+                {object, culled && object->getWorldBoundingBox() == node->_getWorldAABB()});
+    return mObjects;
 }
 
 } // namespace Lixel

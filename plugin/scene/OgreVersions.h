@@ -298,4 +298,22 @@ inline const Ogre::Pass* shadowReceiverPassOf(Ogre::SceneManager& manager) {
     return shadowRendererOf(manager).mShadowTextureCustomReceiverPass;
 }
 
+/// Whether a scene manager has listeners of levels of detail, which are private since 14.
+template <auto LodListeners>
+struct LodListenersAccess {
+    friend auto& lodListenersOf(const Ogre::SceneManager& manager) { return manager.*LodListeners; }
+};
+auto& lodListenersOf(const Ogre::SceneManager& manager);
+template struct LodListenersAccess<&Ogre::SceneManager::mLodListeners>;
+
+/// The priority that an object was given within its render queue group; OGRE returns it nowhere.
+template <auto RenderQueuePriority>
+struct QueuePriorityAccess {
+    friend Ogre::ushort queuePriorityOf(const Ogre::MovableObject& object) {
+        return object.*RenderQueuePriority;
+    }
+};
+Ogre::ushort queuePriorityOf(const Ogre::MovableObject& object);
+template struct QueuePriorityAccess<&Ogre::MovableObject::mRenderQueuePriority>;
+
 } // namespace Lixel

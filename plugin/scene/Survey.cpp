@@ -1,7 +1,6 @@
 #include "scene/Survey.h"
 
 #include "fit/focus/ViewVolume.h"
-#include "scene/NodeWalk.h"
 #include "scene/OgreMath.h"
 
 #include <Eigen/LU>
@@ -10,7 +9,6 @@
 #include <OgreEntity.h>
 #include <OgreMovableObject.h>
 #include <OgreRoot.h>
-#include <OgreSceneNode.h>
 
 #include <limits>
 
@@ -59,10 +57,9 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
     reach.shadowDistance = shadowDistance;
     mView = viewVolume(reach);
 
-    collectNodes(mRules.sceneManager(), NodeCuller(mView, mWsOrigin), mNodes);
-    for (Ogre::SceneNode* node : mNodes)
-        for (Ogre::MovableObject* object : node->getAttachedObjects())
-            visit(*object);
+    for (const NodeWalk::Object& found :
+         mWalk.collect(mRules.sceneManager(), NodeCuller(mView, mWsOrigin)))
+        visit(*found.object);
 }
 
 void Survey::visit(Ogre::MovableObject& object) {

@@ -3,6 +3,7 @@
 #include "fit/geometry/ConvexVolume.h"
 #include "fit/problem/ShadowProblem.h"
 #include "scene/MeshShapes.h"
+#include "scene/NodeWalk.h"
 #include "scene/SceneRules.h"
 
 #include <string>
@@ -90,7 +91,7 @@ private:
 
     // While a survey is taken.
     ConvexVolume mView;
-    std::vector<Ogre::SceneNode*> mNodes;
+    NodeWalk mWalk;
 };
 
 } // namespace Lixel
