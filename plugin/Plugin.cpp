@@ -1,5 +1,6 @@
 #include "Plugin.h"
 
+#include <Lixel/manager/LixelSceneManager.h>
 #include <Lixel/material/ShadowParameters.h>
 #include <Lixel/scene/Log.h>
 #include <Lixel/script/ShadowCameraSetupManager.h>
@@ -22,11 +23,16 @@ const Ogre::String& Plugin::getName() const {
 void Plugin::initialise() {
     mShadowParameters = std::make_unique<ShadowParameters>();
     mPresets = std::make_unique<ShadowCameraSetupManager>();
+    mSceneManagers = std::make_unique<LixelSceneManagerFactory>();
+    Ogre::Root::getSingleton().addSceneManagerFactory(mSceneManagers.get());
     Ogre::Root::getSingleton().addFrameListener(this);
 }
 
 void Plugin::shutdown() {
     Ogre::Root::getSingleton().removeFrameListener(this);
+    // Destroys the scene managers that it made.
+    Ogre::Root::getSingleton().removeSceneManagerFactory(mSceneManagers.get());
+    mSceneManagers.reset();
     mPresets.reset();
     mShadowParameters.reset();
     // The library may be unloaded next, under scenes that live on.

@@ -7,6 +7,7 @@
 
 namespace Lixel {
 
+class LixelSceneManagerFactory;
 class ShadowCameraSetupManager;
 class ShadowParameters;
 
@@ -28,6 +29,7 @@ public:
 private:
     std::unique_ptr<ShadowParameters> mShadowParameters;
     std::unique_ptr<ShadowCameraSetupManager> mPresets;
+    std::unique_ptr<LixelSceneManagerFactory> mSceneManagers;
 };
 
 } // namespace Lixel

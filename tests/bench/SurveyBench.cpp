@@ -1,7 +1,7 @@
 // lixel-bench-survey: CPU time of the survey and of the fits, beside OGRE's own visibility pass and
 // its LiSPSM setup, in whole frames of the same scene in one process.
 //
-//     lixel-bench-survey [--frames N] [--objects N]
+//     lixel-bench-survey [--frames N] [--objects N] [--manager TYPE]
 //
 // Nothing is drawn: OGRE finds what is visible, sorts it, and is then told to skip it. The viewer
 // turns a little from frame to frame. Times are medians over the frames, in microseconds of wall
@@ -307,6 +307,7 @@ void measure(HeadlessOgre& ogre, const std::string& manager, int objects, View v
 int run(int argc, char** argv) {
     int frames = 100;
     std::vector<int> sizes{100, 1000, 10000};
+    std::vector<std::string> managers{DefaultManager, OctreeManager, FlatManager};
     for (int i = 1; i + 1 < argc; i += 2) {
         const std::string option = argv[i];
         const int value = std::atoi(argv[i + 1]);
@@ -314,8 +315,11 @@ int run(int argc, char** argv) {
             frames = value;
         } else if (value > 0 && option == "--objects") {
             sizes = {value};
+        } else if (option == "--manager") {
+            managers = {argv[i + 1]};
         } else {
-            std::fprintf(stderr, "usage: lixel-bench-survey [--frames N] [--objects N]\n");
+            std::fprintf(stderr, "usage: lixel-bench-survey [--frames N] [--objects N] "
+                                 "[--manager TYPE]\n");
             return 2;
         }
     }
@@ -327,7 +331,7 @@ int run(int argc, char** argv) {
     std::printf("scene   view     objects   seen | visible   survey  casters  ratio |  LiSPSM  "
                 "Uniform     XPSM "
                 "|LiSPSM   XPSM |    none   LiSPSM  Uniform     XPSM\n");
-    for (const std::string& manager : {DefaultManager, OctreeManager})
+    for (const std::string& manager : managers)
         for (const View view : {View::Inside, View::Outwards, View::Wall})
             for (const int objects : sizes)
                 measure(ogre, manager, objects, view, frames);

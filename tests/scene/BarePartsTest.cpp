@@ -54,7 +54,7 @@ private:
 class BarePartsTest : public SceneTest {};
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, BarePartsTest,
-                         testing::Values(DefaultManager, OctreeManager),
+                         testing::Values(DefaultManager, OctreeManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 TEST_P(BarePartsTest, AreSurveyedAndToldOfOnce) {

@@ -118,7 +118,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, CasterCullingTest,
-                         testing::Values(DefaultManager, OctreeManager),
+                         testing::Values(DefaultManager, OctreeManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 TEST_P(CasterCullingTest, DrawsWhatMattersOfAField) {

@@ -58,7 +58,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, CasterSearchTest,
-                         testing::Values(DefaultManager, OctreeManager, OtherManager),
+                         testing::Values(DefaultManager, OctreeManager, OtherManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 TEST_P(CasterSearchTest, FindsTheCasterBehindTheViewer) {
@@ -322,7 +322,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, RandomSceneTest,
-                         testing::Values(DefaultManager, OctreeManager, OtherManager),
+                         testing::Values(DefaultManager, OctreeManager, OtherManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 void sortBoxes(std::vector<Aabb>& boxes) {

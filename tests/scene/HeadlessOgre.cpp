@@ -1,5 +1,6 @@
 #include "HeadlessOgre.h"
 
+#include "manager/LixelSceneManager.h"
 #include "scene/OgreVersions.h"
 
 #include <Lixel/headless/Headless.h>
@@ -57,6 +58,8 @@ HeadlessOgre::HeadlessOgre() {
     mRoot->loadPlugin(OGRE_PLUGIN_DIR "/Plugin_OctreeSceneManager");
     mOther = std::make_unique<OtherSceneManagerFactory>();
     mRoot->addSceneManagerFactory(mOther.get());
+    mFlat = std::make_unique<LixelSceneManagerFactory>();
+    mRoot->addSceneManagerFactory(mFlat.get());
     mRoot->setRenderSystem(mRoot->getAvailableRenderers().front());
     mRoot->initialise(false);
     Ogre::NameValuePairList parameters;
@@ -64,8 +67,8 @@ HeadlessOgre::HeadlessOgre() {
         parameters[name] = value;
     mWindow = mRoot->createRenderWindow("window", WindowSize, WindowSize, false, &parameters);
     // Without these OGRE refuses any shadow technique.
-    Ogre::ResourceGroupManager::getSingleton().addResourceLocation(
-        OGRE_SHADOW_MEDIA, "FileSystem", Ogre::RGN_INTERNAL);
+    Ogre::ResourceGroupManager::getSingleton().addResourceLocation(OGRE_SHADOW_MEDIA, "FileSystem",
+                                                                   Ogre::RGN_INTERNAL);
     Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
 }
 

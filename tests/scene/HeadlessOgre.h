@@ -17,8 +17,10 @@ inline const std::string OctreeManager = "OctreeSceneManager";
 /// A scene manager of an application's own: nothing is known of it except its scene graph.
 inline const std::string OtherManager = "OtherSceneManager";
 
-/// OGRE with the GL3+ render system, both of its scene managers and another, and a tiny window
-/// without display.
+/// Lixel's own.
+inline const std::string FlatManager = "LixelSceneManager";
+
+/// OGRE with the GL3+ render system, all of these scene managers, and a tiny window without display.
 class HeadlessOgre {
 public:
     /// @exception std::runtime_error saying why it cannot draw headless
@@ -30,6 +32,7 @@ public:
 private:
     std::unique_ptr<Ogre::LogManager> mLogs;
     std::unique_ptr<Ogre::SceneManagerFactory> mOther;
+    std::unique_ptr<Ogre::SceneManagerFactory> mFlat;
     std::unique_ptr<Ogre::Root> mRoot;
     Ogre::RenderWindow* mWindow = nullptr;
 };

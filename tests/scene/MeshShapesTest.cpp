@@ -19,7 +19,7 @@ using Ogre::Vector3;
 class SurfaceCloudsTest : public SceneTest {};
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, SurfaceCloudsTest,
-                         testing::Values(DefaultManager, OctreeManager),
+                         testing::Values(DefaultManager, OctreeManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 /// How far a point is from the surface of the cube of that half extent about the origin.
@@ -94,7 +94,8 @@ private:
     std::vector<Ogre::MeshPtr> mMeshes;
 };
 
-INSTANTIATE_TEST_SUITE_P(SceneManager, HullsTest, testing::Values(DefaultManager, OctreeManager),
+INSTANTIATE_TEST_SUITE_P(SceneManager, HullsTest,
+                         testing::Values(DefaultManager, OctreeManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 } // namespace

@@ -36,7 +36,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, SurveyCacheTest,
-                         testing::Values(DefaultManager, OctreeManager),
+                         testing::Values(DefaultManager, OctreeManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 TEST_P(SurveyCacheTest, IsOfThisFrame) {

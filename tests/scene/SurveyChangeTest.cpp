@@ -71,7 +71,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, SurveyChangeTest,
-                         testing::Values(DefaultManager, OctreeManager, OtherManager),
+                         testing::Values(DefaultManager, OctreeManager, OtherManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 TEST_P(SurveyChangeTest, MovedNode) {

@@ -39,7 +39,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, SurveyTest,
-                         testing::Values(DefaultManager, OctreeManager, OtherManager),
+                         testing::Values(DefaultManager, OctreeManager, OtherManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 TEST_P(SurveyTest, OfAnEmptySceneIsEmpty) {
@@ -333,7 +333,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, SkeletonSurveyTest,
-                         testing::Values(DefaultManager, OctreeManager),
+                         testing::Values(DefaultManager, OctreeManager, FlatManager),
                          [](const auto& test) { return test.param; });
 
 TEST_P(SkeletonSurveyTest, CountsObjectsOnBonesIntoTheirEntitysBox) {

@@ -1,0 +1,88 @@
+#include "manager/LixelSceneNode.h"
+
+#include "scene/Log.h"
+
+#include <OgreMovableObject.h>
+
+#include <cmath>
+
+namespace Lixel {
+namespace {
+
+bool isFinite(const Ogre::Affine3& transform) {
+    Ogre::Real sum = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            sum += 0 * transform[row][column]; // 0, or NaN for what is not finite
+    return sum == 0;
+}
+
+} // namespace
+
+LixelSceneNode::~LixelSceneNode() {
+    if (mSlot != NodeStore::NoSlot) mStore->remove(mSlot);
+}
+
+void LixelSceneNode::attachObject(Ogre::MovableObject* object) {
+    SceneNode::attachObject(object);
+    noteObjects();
+}
+
+Ogre::MovableObject* LixelSceneNode::detachObject(unsigned short index) {
+    Ogre::MovableObject* const object = SceneNode::detachObject(index);
+    noteObjects();
+    return object;
+}
+
+void LixelSceneNode::detachObject(Ogre::MovableObject* object) {
+    SceneNode::detachObject(object);
+    noteObjects();
+}
+
+Ogre::MovableObject* LixelSceneNode::detachObject(const Ogre::String& name) {
+    Ogre::MovableObject* const object = SceneNode::detachObject(name);
+    noteObjects();
+    return object;
+}
+
+void LixelSceneNode::detachAllObjects() {
+    SceneNode::detachAllObjects();
+    noteObjects();
+}
+
+void LixelSceneNode::noteObjects() {
+    if (mSlot == NodeStore::NoSlot) return;
+    const auto& objects = getAttachedObjects();
+    mStore->setOnlyObject(mSlot, objects.size() == 1 ? objects.front() : nullptr);
+}
+
+void LixelSceneNode::_updateBounds() {
+    mWorldAABB.setNull();
+    if (getAttachedObjects().empty()) {
+        if (mSlot == NodeStore::NoSlot) return;
+        mStore->remove(mSlot);
+        mSlot = NodeStore::NoSlot;
+        return;
+    }
+    // OGRE asserts on boxes of objects at places that are not finite.
+    const bool placed = isFinite(_getFullTransform());
+    if (placed) {
+        for (const Ogre::MovableObject* object : getAttachedObjects())
+            mWorldAABB.merge(object->getWorldBoundingBox(true));
+    } else if (!mReported) {
+        logWarning("scene node '" + getName() + "' (with '" +
+                   getAttachedObjects().front()->getName() +
+                   "') has a position, orientation or scale that is not finite; it is not drawn "
+                   "until it has");
+    }
+    mReported = !placed;
+    if (mSlot == NodeStore::NoSlot) {
+        mSlot = mStore->add(*this);
+        noteObjects();
+    }
+    const Ogre::MovableObject* const only = mStore->onlyObject(mSlot);
+    mStore->set(mSlot, mWorldAABB,
+                placed && only != nullptr ? only->getWorldBoundingSphere(true) : Ogre::Sphere());
+}
+
+} // namespace Lixel

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "scene/NodeStore.h"
+
+#include <OgreSceneNode.h>
+
+namespace Lixel {
+
+/** A node of LixelSceneManager: it keeps its box in the scene manager's store up to date.
+
+    Its box is that of the objects attached to itself, as in OGRE's octree scene manager: a node's
+    children are found by themselves, whatever its own box is.
+*/
+class LixelSceneNode : public Ogre::SceneNode {
+public:
+    /// @param store shared, because OGRE destroys nodes after the scene manager that derives from it
+    LixelSceneNode(Ogre::SceneManager& creator, std::shared_ptr<NodeStore> store)
+        : SceneNode(&creator), mStore(std::move(store)) {}
+    LixelSceneNode(Ogre::SceneManager& creator, const Ogre::String& name,
+                   std::shared_ptr<NodeStore> store)
+        : SceneNode(&creator, name), mStore(std::move(store)) {}
+    ~LixelSceneNode() override;
+
+    void attachObject(Ogre::MovableObject* object) override;
+    Ogre::MovableObject* detachObject(unsigned short index) override;
+    void detachObject(Ogre::MovableObject* object) override;
+    Ogre::MovableObject* detachObject(const Ogre::String& name) override;
+    void detachAllObjects() override;
+
+    /// OGRE calls it whenever the node, or something attached to it, may have moved.
+    void _updateBounds() override;
+
+private:
+    void noteObjects();
+
+    std::shared_ptr<NodeStore> mStore;
+    NodeStore::Slot mSlot = NodeStore::NoSlot;
+    /// Whether the log was told of numbers that are not finite, since they last were.
+    bool mReported = false;
+};
+
+} // namespace Lixel
