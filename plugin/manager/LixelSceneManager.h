@@ -21,6 +21,7 @@ namespace Lixel {
     - `SceneNode::_getWorldAABB()` is the box of the objects of that node alone, as in OGRE's octree
       scene manager. A node is drawn where that box is in view: what is attached to a parent is not
       drawn only because a child is in view.
+    - Debug drawing (setDisplaySceneNodes, showBoundingBoxes) shows nodes with objects of their own.
     - A node at a place that is not finite is not drawn, and named in the log once; OGRE aborts.
     - Objects are queued in the order in which their nodes first had something attached, not in the
       order of the graph. It makes a difference only between surfaces of one material at one depth.

@@ -5,10 +5,12 @@
 #include "scene/OgreVersions.h"
 
 #include <OgreCamera.h>
+#include <OgreDefaultDebugDrawer.h>
 #include <OgreRenderQueue.h>
 
 #include <algorithm>
 #include <limits>
+#include <typeinfo>
 
 namespace Lixel {
 namespace {
@@ -51,6 +53,12 @@ Ogre::uint32 currentMask() {
     const Ogre::SceneManager* const current = Ogre::Root::getSingleton()._getCurrentSceneManager();
     return current == nullptr ? std::numeric_limits<Ogre::uint32>::max()
                               : current->_getCombinedVisibilityMask();
+}
+
+/// Whether a drawer has to be told of every node in view, and not only of those whose box is shown.
+bool drawsEveryNode(const Ogre::SceneManager& manager, const Ogre::DebugDrawer& drawer) {
+    return manager.getDisplaySceneNodes() || manager.getShowBoundingBoxes() ||
+           typeid(drawer) != typeid(Ogre::DefaultDebugDrawer);
 }
 
 /** Queues plain entities in one pass over what is seen. */
@@ -124,6 +132,8 @@ void VisibleObjects::queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
                            Ogre::VisibleObjectsBoundsInfo* bounds, bool onlyShadowCasters) {
     Ogre::RenderQueue& queue = *manager.getRenderQueue();
     const bool anyPlain = lodListenersOf(manager).empty();
+    Ogre::DebugDrawer* const drawer = manager.getDebugDrawer();
+    const bool drawsNodes = drawer != nullptr && drawsEveryNode(manager, *drawer);
     mPlain.resize(std::max(mPlain.size(), mStore->slotCount()));
     SeenBounds seen(camera);
     ShortWay shortWay(queue, seen, onlyShadowCasters);
@@ -137,12 +147,15 @@ void VisibleObjects::queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
         const std::uint32_t attachment = mStore->attachment(slot);
         PlainEntity& plain = mPlain[slot];
         if (anyPlain && plain.isStill(only, attachment) && hasPlainMaterials(*plain.entity())) {
-            shortWay.add(*plain.entity(), mStore->box(slot), mStore->sphere(slot));
-            continue;
+            shortWay.add(static_cast<Ogre::Entity&>(*only), mStore->box(slot),
+                         mStore->sphere(slot));
+        } else {
+            for (Ogre::MovableObject* object : node.getAttachedObjects())
+                queue.processVisibleObject(object, &camera, onlyShadowCasters, bounds);
+            plain = PlainEntity(only, attachment);
         }
-        for (Ogre::MovableObject* object : node.getAttachedObjects())
-            queue.processVisibleObject(object, &camera, onlyShadowCasters, bounds);
-        plain = PlainEntity(only, attachment);
+        if (drawsNodes || (drawer != nullptr && node.getShowBoundingBox()))
+            drawer->drawSceneNode(&node);
     }
     if (bounds != nullptr) seen.addTo(*bounds);
 }

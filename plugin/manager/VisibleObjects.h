@@ -1,7 +1,7 @@
 #pragma once
 
-#include "manager/PlainEntity.h"
 #include "scene/NodeStore.h"
+#include "scene/PlainEntity.h"
 
 #include <vector>
 

@@ -27,6 +27,7 @@ const BoxSet& CasterSearch::findAll(const Survey& survey) {
 
 void CasterSearch::clear(const Survey& survey) {
     mCasters.clear();
+    mUnboundedName.clear();
     mShapes.reset(survey.meshes(), survey.wsOrigin());
 }
 
@@ -41,11 +42,15 @@ void CasterSearch::add(const Survey& survey, const Ogre::MovableObject& object) 
     if (bounds.isNull() || !survey.rules().draws(object) || !survey.rules().casts(object)) return;
     if (bounds.isInfinite()) {
         mCasters.addUnbounded();
+        mUnboundedName = object.getName();
         return;
     }
     const std::size_t index = mCasters.size();
     mCasters.add(relativeBox(bounds, survey.wsOrigin()));
-    if (mCasters.size() > index) mShapes.add(object);
+    if (mCasters.size() > index)
+        mShapes.add(object);
+    else
+        mUnboundedName = object.getName(); // finite, and too large to have bounds
 }
 
 } // namespace Lixel

@@ -24,6 +24,11 @@ public:
     /// Hulls of the casters found. They read the objects: good until one is moved or destroyed.
     const BodyShapes& shapes() const { return mShapes; }
 
+    /// The casters found that have bounds.
+    std::span<const Ogre::MovableObject* const> objects() const { return mShapes.objects(); }
+    /// Name of a caster without bounds; empty if there is none.
+    const std::string& unboundedName() const { return mUnboundedName; }
+
     /// All casters of the scene, whatever they may shadow.
     const BoxSet& findAll(const Survey& survey);
 
@@ -35,6 +40,7 @@ private:
 
     BoxSet mCasters;
     ObjectShapes mShapes;
+    std::string mUnboundedName;
     CasterSweep mReach;
     NodeWalk mWalk;
 };

@@ -118,6 +118,8 @@ public:
     void reset(MeshShapes& meshes, const Vec3& wsOrigin);
     /// Adds what the next box of the set is of; it must be there until the next reset.
     void add(const Ogre::MovableObject& object) { mObjects.push_back(&object); }
+    /// What was added.
+    std::span<const Ogre::MovableObject* const> objects() const { return mObjects; }
 
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
 

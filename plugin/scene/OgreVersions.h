@@ -306,6 +306,21 @@ struct LodListenersAccess {
 auto& lodListenersOf(const Ogre::SceneManager& manager);
 template struct LodListenersAccess<&Ogre::SceneManager::mLodListeners>;
 
+/// A scene manager's listeners of its render queue and of what it draws, which are private since 14.
+template <auto QueueListeners, auto ObjectListeners>
+struct RenderListenersAccess {
+    friend auto& queueListenersOf(const Ogre::SceneManager& manager) {
+        return manager.*QueueListeners;
+    }
+    friend auto& objectListenersOf(const Ogre::SceneManager& manager) {
+        return manager.*ObjectListeners;
+    }
+};
+auto& queueListenersOf(const Ogre::SceneManager& manager);
+auto& objectListenersOf(const Ogre::SceneManager& manager);
+template struct RenderListenersAccess<&Ogre::SceneManager::mRenderQueueListeners,
+                                      &Ogre::SceneManager::mRenderObjectListeners>;
+
 /// The priority that an object was given within its render queue group; OGRE returns it nowhere.
 template <auto RenderQueuePriority>
 struct QueuePriorityAccess {

@@ -6,6 +6,8 @@
 #include "scene/SurveyCache.h"
 #include "setup/LightGuard.h"
 #include "setup/MapCount.h"
+#include "setup/MapProof.h"
+#include "setup/PlannedMap.h"
 #include "setup/SetupMemory.h"
 #include "setup/ShadowCameraPlacement.h"
 #include "setup/ShadowMapObserver.h"
@@ -64,6 +66,9 @@ constexpr std::array DeclaredCommon{
     option<&CommonOptions::meshHulls>(
         "mesh_hulls", "whether maps are fitted to convex hulls of meshes that fill their boxes "
                       "badly; off where static buffers are rewritten in place"),
+    option<&CommonOptions::reuseMaps>(
+        "reuse_maps", "whether a map is kept while it shows just what it would show if it were "
+                      "drawn again"),
 };
 
 } // namespace
@@ -212,6 +217,7 @@ void FittedShadowCameraSetup::findCasters(const ShadowProblem& problem, const Su
     memory.visiblePoints = mWsVisiblePoints;
     for (VisiblePoint& point : memory.visiblePoints)
         point.ws -= survey.wsOrigin();
+    memory.hasFingerprint = false;
     memory.casters = &memory.search.find(survey, problem.light, problem.viewer.shadowDistance);
 }
 
@@ -243,7 +249,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
         // Under modulative shadows OGRE may take this camera for another light's, and adds a
         // texture of its own to the receiver where a spot's camera has no projection of ours.
         placeShadowCamera(*shadowCamera, ShadowFit{}, toDouble(viewer->getDerivedPosition()));
-        if (isDrawn) skipShadowPass(*shadowCamera);
+        if (isDrawn) skipShadowPass(*shadowCamera, targets.front());
         return;
     }
 
@@ -265,7 +271,9 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     const ShadowFit result = fitNext(problem, *light, memory.maps - iteration, memory, news, part);
     const double fitTime = since(fitBegin);
 
-    draw(request, result, survey.wsOrigin(), isDrawn, memory);
+    placeShadowCamera(*shadowCamera, result, survey.wsOrigin());
+    MapDecision decision;
+    if (isDrawn) decision = draw(request, result, survey.wsOrigin(), targets.front(), memory);
     news.tell(*light, result.reason, problem);
     if (!survey.unboundedName().empty() && result.hasMap())
         news.tellWithoutBounds(*light, survey.unboundedName());
@@ -278,6 +286,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
                       .iteration = iteration,
                       .part = *part,
                       .fit = result,
+                      .decision = decision,
                       .wsOrigin = survey.wsOrigin(),
                       .width = problem.mapWidth,
                       .height = problem.mapHeight,
@@ -287,14 +296,28 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
                       .fitMicroseconds = fitTime});
 }
 
-void FittedShadowCameraSetup::draw(const Request& request, const ShadowFit& fit,
-                                   const Vec3& wsOrigin, bool isDrawn, LightMemory& memory) {
-    placeShadowCamera(request.shadowCamera, fit, wsOrigin);
-    if (!isDrawn) return;
-    if (!fit.hasMap()) return skipShadowPass(request.shadowCamera);
+MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowFit& fit,
+                                          const Vec3& wsOrigin, const ShadowTarget& target,
+                                          LightMemory& memory) const {
+    if (!fit.hasMap()) {
+        skipShadowPass(request.shadowCamera, target);
+        return {MapPlan::Skip, PlanReason::NothingShadowed, {}};
+    }
+    PlannedMap planned = mCommon.reuseMaps
+                             ? planMap(request.shadowCamera, request.viewport, fit, target, memory)
+                             : PlannedMap{{MapPlan::Draw, PlanReason::Forbidden, {}}, {}};
+    const bool reused = planned.decision.plan == MapPlan::Reuse;
+    if (reused && !isProofMode()) {
+        keepShadowPass(request.shadowCamera);
+        return std::move(planned.decision);
+    }
     CasterVolume& volume = memory.volumes.at(request.iteration);
     volume.set(fit, wsOrigin);
-    armShadowPass(request.shadowCamera, volume);
+    if (reused)
+        proveShadowPass(request.shadowCamera, volume, *planned.content, target);
+    else
+        armShadowPass(request.shadowCamera, volume, planned.content);
+    return std::move(planned.decision);
 }
 
 } // namespace Lixel

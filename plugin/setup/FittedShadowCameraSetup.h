@@ -23,7 +23,9 @@ struct FitState;
 struct LightMemory;
 class LightNews;
 struct LightPartition;
+struct MapDecision;
 class SetupMemory;
+struct ShadowTarget;
 class Survey;
 
 /// Options of all of Lixel's setups.
@@ -45,6 +47,11 @@ struct CommonOptions {
         frames, until it is read.
         @see prepareMesh */
     bool meshHulls = true;
+    /** Whether a map is kept where it shows just what it would show if it were drawn again: same
+        light, same region, and every caster as it was. Casters that may look different each time,
+        such as skeletons, particles and what has holes, have it drawn.
+        @see redrawShadowMaps */
+    bool reuseMaps = true;
 
     LIXEL_API static std::span<const Option> declared();
 };
@@ -111,6 +118,10 @@ public:
     /// @see CommonOptions::meshHulls
     void setMeshHulls(bool use) { mCommon.meshHulls = use; }
     bool getMeshHulls() const { return mCommon.meshHulls; }
+
+    /// @see CommonOptions::reuseMaps
+    void setReuseMaps(bool reuse) { mCommon.reuseMaps = reuse; }
+    bool getReuseMaps() const { return mCommon.reuseMaps; }
 
     /** What the viewer sees of the receivers, where the application knows it better than a few view
         rays against boxes and meshes do: points spread evenly over the picture, in world
@@ -182,9 +193,9 @@ private:
     /// Fits the next part that one of the light's remaining maps is for.
     ShadowFit fitNext(const ShadowProblem& problem, const Ogre::Light& light, std::size_t mapsLeft,
                       LightMemory& memory, LightNews& news, const ShadowPart*& part) const;
-    /// Has the map drawn, or skipped where there is none.
-    static void draw(const Request& request, const ShadowFit& fit, const Vec3& wsOrigin,
-                     bool isDrawn, LightMemory& memory);
+    /// Has a placed map drawn, kept, or skipped where there is none.
+    MapDecision draw(const Request& request, const ShadowFit& fit, const Vec3& wsOrigin,
+                     const ShadowTarget& target, LightMemory& memory) const;
 
     std::unique_ptr<SetupMemory> mMemory;
     std::string mName;

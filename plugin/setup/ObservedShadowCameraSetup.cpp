@@ -93,6 +93,7 @@ void ObservedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager* sceneM
         std::abs(fit.depthScale * fit.clipFromWorld.row(2).head<3>().dot(axis.normalized()));
 
     static const ShadowPart everything;
+    static const MapDecision drawn{MapPlan::Draw, PlanReason::NotPlanned, {}};
     publishShadowMap({.sceneManager = *viewer->getSceneManager(),
                       .viewer = *viewer,
                       // OGRE hands out its own, mutable light as const.
@@ -101,6 +102,7 @@ void ObservedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager* sceneM
                       .iteration = iteration,
                       .part = everything,
                       .fit = fit,
+                      .decision = drawn,
                       .wsOrigin = Vec3::Zero(),
                       .width = shadowCamera->getViewport()->getActualWidth(),
                       .height = shadowCamera->getViewport()->getActualHeight(),

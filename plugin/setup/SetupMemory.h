@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/core/FitState.h"
+#include "scene/CasterFingerprint.h"
 #include "scene/CasterSearch.h"
 #include "scene/CasterVolume.h"
 #include "scene/Identity.h"
@@ -33,6 +34,9 @@ struct LightMemory {
     std::vector<VisiblePoint> visiblePoints;
     LightPartition parts;
     const BoxSet* casters = nullptr;
+    /// Of the casters found, where it was asked for.
+    CasterFingerprint fingerprint;
+    bool hasFingerprint = false;
     std::size_t maps = 0;
     /// The first part that no map was asked for yet.
     std::size_t nextPart = 0;

@@ -2,6 +2,7 @@
 
 #include "fit/problem/ShadowFit.h"
 #include "fit/problem/ShadowPart.h"
+#include "setup/MapPlan.h"
 
 namespace Ogre {
 class Camera;
@@ -26,6 +27,8 @@ struct ShadowMap {
     const ShadowPart& part;
     /// The matrices, and why they are as they are. Without a map nothing is drawn, and all is lit.
     const ShadowFit& fit;
+    /// What is done with its texture in this frame, and why.
+    const MapDecision& decision;
     /// The fit's origin in the world.
     Vec3 wsOrigin;
     int width;

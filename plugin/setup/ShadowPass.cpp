@@ -1,6 +1,7 @@
 #include "setup/ShadowPass.h"
 
 #include "scene/OgreVersions.h"
+#include "setup/MapProof.h"
 
 #include <OgreCamera.h>
 #include <OgreRenderSystem.h>
@@ -22,13 +23,15 @@ namespace {
 class ShadowPassListener : public Ogre::RenderTargetListener, public Ogre::Camera::Listener {
 public:
     /// @param volume the camera's culling frustum from now on, or null to leave it as it is
-    void arm(Ogre::Camera& camera, Ogre::Frustum* volume) {
+    void arm(Ogre::Camera& camera, Ogre::Frustum* volume,
+             const std::optional<MapContent>& content) {
         Ogre::RenderTarget* const target = camera.getViewport()->getTarget();
         // Only the first call saves the culling frustum, which is restored after the pass.
         Armed& armed =
-            mArmed[target].try_emplace(&camera, Armed{camera.getCullingFrustum()}).first->second;
+            mArmed[target].try_emplace(&camera, Armed(camera.getCullingFrustum())).first->second;
         if (volume != nullptr) {
             armed.volume = volume;
+            armed.content = content;
             camera.setCullingFrustum(volume);
         }
         target->addListener(this); // once, however often it is called
@@ -45,6 +48,31 @@ public:
                 }
     }
 
+    /// Has a camera's texture compared with what it holds now, after the camera drew into it.
+    void prove(Ogre::Camera& camera, const Ogre::TexturePtr& texture) {
+        Armed& armed = mArmed.at(camera.getViewport()->getTarget()).at(&camera);
+        armed.proof = texture;
+        armed.kept = readTexels(*texture);
+    }
+
+    /// Says what a target shows, until something is drawn into it.
+    void note(const Ogre::RenderTarget* target, const MapContent& content) {
+        mContents.insert_or_assign(target, content);
+    }
+
+    const MapContent* contentOf(const ShadowTarget& target) const {
+        const auto known = mContents.find(target.target);
+        if (known == mContents.end()) return nullptr;
+        // Another target may have come to be at the address of one that has gone.
+        const MapContent& content = known->second;
+        return content.texture.lock() == target.texture &&
+                       content.textureState == target.texture->getStateCount()
+                   ? &content
+                   : nullptr;
+    }
+
+    void forgetContents() { mContents.clear(); }
+
     void forget() {
         Ogre::RenderSystem* const system = Ogre::Root::getSingleton().getRenderSystem();
         for (const Ogre::String& name : mTargets)
@@ -52,6 +80,7 @@ public:
                     system != nullptr ? system->getRenderTarget(name) : nullptr)
                 target->removeListener(this);
         mTargets.clear();
+        mContents.clear();
         for (const auto& [target, cameras] : mArmed)
             for (const auto& [camera, armed] : cameras)
                 camera->removeListener(this);
@@ -68,6 +97,23 @@ public:
         if (mArmed.count(event.source) != 0) setDepthClamp(true);
     }
 
+    /// Whatever is drawn into the target, what it showed before is gone.
+    void preViewportUpdate(const Ogre::RenderTargetViewportEvent& event) override {
+        mContents.erase(event.source->getTarget());
+    }
+
+    void postViewportUpdate(const Ogre::RenderTargetViewportEvent& event) override {
+        Ogre::RenderTarget* const target = event.source->getTarget();
+        // A map may have been drawn into it meanwhile: of the shadows that a shadow camera sees.
+        mContents.erase(target);
+        const auto armed = mArmed.find(target);
+        // Cameras that share a target are drawn together.
+        if (armed == mArmed.end() || armed->second.size() != 1) return;
+        const auto& [camera, state] = *armed->second.begin();
+        if (state.volume != nullptr && state.content && event.source->getCamera() == camera)
+            note(target, *state.content);
+    }
+
     void postRenderTargetUpdate(const Ogre::RenderTargetEvent& event) override {
         const auto armed = mArmed.find(event.source);
         if (armed == mArmed.end()) return;
@@ -76,6 +122,7 @@ public:
             camera->removeListener(this);
             camera->setCullingFrustum(state.before);
             camera->getViewport()->setAutoUpdated(true);
+            if (state.proof) proveMap(*state.proof, state.kept);
         }
         mArmed.erase(armed);
     }
@@ -86,12 +133,18 @@ private:
     }
 
     struct Armed {
-        Ogre::Frustum* before = nullptr; ///< the culling frustum that comes back
-        Ogre::Frustum* volume = nullptr; ///< what it is meanwhile
+        explicit Armed(Ogre::Frustum* culling) : before(culling) {}
+
+        Ogre::Frustum* before;             ///< the culling frustum that comes back
+        Ogre::Frustum* volume = nullptr;   ///< what it is meanwhile
+        std::optional<MapContent> content; ///< what the target shows afterwards
+        Ogre::TexturePtr proof;            ///< to be compared with what it held before
+        std::vector<std::uint8_t> kept;
     };
     /// Cameras that will draw into a target. Several may share one since OGRE 14, which also gives
     /// each a culling frustum of its own and expects it to stay.
     std::map<Ogre::RenderTarget*, std::map<Ogre::Camera*, Armed>> mArmed;
+    std::map<const Ogre::RenderTarget*, MapContent> mContents;
     /// Names of all that it listens to. Some may have gone.
     std::set<Ogre::String> mTargets;
 };
@@ -113,8 +166,15 @@ void forgetShadowPasses() {
     listener().forget();
 }
 
-void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum) {
-    listener().arm(shadowCamera, &cullingFrustum);
+void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
+                   const std::optional<MapContent>& content) {
+    listener().arm(shadowCamera, &cullingFrustum, content);
+}
+
+void proveShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
+                     const MapContent& content, const ShadowTarget& target) {
+    listener().arm(shadowCamera, &cullingFrustum, content);
+    listener().prove(shadowCamera, target.texture);
 }
 
 void releaseShadowPass(const Ogre::Frustum& cullingFrustum) {
@@ -131,11 +191,38 @@ std::vector<ShadowTarget> shadowTargetsFrom(const Ogre::Camera& camera,
     return targets;
 }
 
-void skipShadowPass(Ogre::Camera& shadowCamera) {
-    Ogre::Viewport* const viewport = shadowCamera.getViewport();
-    clearViewport(*viewport, Ogre::FBT_COLOUR | Ogre::FBT_DEPTH, Ogre::ColourValue::White);
-    viewport->setAutoUpdated(false);
-    listener().arm(shadowCamera, nullptr);
+void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target) {
+    const auto clear = [&] {
+        clearViewport(*shadowCamera.getViewport(), Ogre::FBT_COLOUR | Ogre::FBT_DEPTH,
+                      Ogre::ColourValue::White);
+    };
+    const MapContent* const content = contentOf(target);
+    if (content == nullptr || !content->empty) {
+        clear();
+        MapContent empty;
+        empty.empty = true;
+        empty.texture = target.texture;
+        empty.textureState = target.texture->getStateCount();
+        listener().note(target.target, empty);
+    } else if (isProofMode()) {
+        const std::vector<std::uint8_t> kept = readTexels(*target.texture);
+        clear();
+        proveMap(*target.texture, kept);
+    }
+    keepShadowPass(shadowCamera);
+}
+
+void keepShadowPass(Ogre::Camera& shadowCamera) {
+    shadowCamera.getViewport()->setAutoUpdated(false);
+    listener().arm(shadowCamera, nullptr, std::nullopt);
+}
+
+const MapContent* contentOf(const ShadowTarget& target) {
+    return listener().contentOf(target);
+}
+
+void forgetContents() {
+    listener().forgetContents();
 }
 
 } // namespace Lixel

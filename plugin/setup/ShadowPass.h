@@ -1,7 +1,8 @@
 #pragma once
 
-#include "fit/geometry/Types.h"
+#include "setup/MapContent.h"
 
+#include <optional>
 #include <vector>
 
 namespace Ogre {
@@ -23,7 +24,13 @@ struct ShadowTarget;
 
 /// Casters nearer than the near plane are clamped onto it instead of clipped, where the render
 /// system can; and until after the pass another frustum decides what the camera draws.
-void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
+/// @param content what its texture shows afterwards, if it is worth knowing
+void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
+                   const std::optional<MapContent>& content);
+
+/// The same for a map that could have been kept: it is compared with what was kept.
+void proveShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
+                     const MapContent& content, const ShadowTarget& target);
 
 /// A culling frustum is about to go: no camera that waits for its pass keeps it.
 void releaseShadowPass(const Ogre::Frustum& cullingFrustum);
@@ -34,8 +41,18 @@ void releaseShadowPass(const Ogre::Frustum& cullingFrustum);
 std::vector<ShadowTarget> shadowTargetsFrom(const Ogre::Camera& camera,
                                             Ogre::SceneManager& sceneManager);
 
-/// The texture is cleared to "lit" and no caster is drawn into it.
-void skipShadowPass(Ogre::Camera& shadowCamera);
+/// No caster is drawn into the texture, which is cleared to "lit" if it is not known to be.
+void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target);
+
+/// The texture keeps what it shows.
+void keepShadowPass(Ogre::Camera& shadowCamera);
+
+/// What the texture shows. Null where it is new, was made anew, or something else has been drawn
+/// into it since.
+const MapContent* contentOf(const ShadowTarget& target);
+
+/// No texture's content is known any more.
+void forgetContents();
 
 /// Leaves nothing behind in render targets.
 void forgetShadowPasses();

@@ -1,14 +1,14 @@
-#include "manager/PlainEntity.h"
+#include "scene/PlainEntity.h"
 
 #include <algorithm>
 #include <typeinfo>
 
 namespace Lixel {
 
-PlainEntity::PlainEntity(Ogre::MovableObject* object, std::uint32_t attachment)
+PlainEntity::PlainEntity(const Ogre::MovableObject* object, std::uint32_t attachment)
     : mAttachment(attachment) {
     if (object == nullptr || typeid(*object) != typeid(Ogre::Entity)) return;
-    auto& entity = static_cast<Ogre::Entity&>(*object);
+    const auto& entity = static_cast<const Ogre::Entity&>(*object);
     if (!entity.isInitialised() || !hasPlainSettings(entity) || entity.hasSkeleton() ||
         !entity.getAttachedObjects().empty() || !hasPlainMesh(*entity.getMesh()))
         return;

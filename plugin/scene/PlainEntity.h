@@ -17,7 +17,7 @@ public:
     /// Nothing that is plain.
     PlainEntity() = default;
     /// @param attachment number of the node's last change of attachments
-    PlainEntity(Ogre::MovableObject* object, std::uint32_t attachment);
+    PlainEntity(const Ogre::MovableObject* object, std::uint32_t attachment);
 
     /// Whether it is the plain entity that was attached at that change, and still plain.
     bool isStill(const Ogre::MovableObject* object, std::uint32_t attachment) const {
@@ -25,7 +25,7 @@ public:
                hasPlainSettings(*mEntity) && hasSameMesh();
     }
     /// Null for nothing that is plain.
-    Ogre::Entity* entity() const { return mEntity; }
+    const Ogre::Entity* entity() const { return mEntity; }
     /// Whether it was this one at that change: good enough to ask for its memory.
     bool was(const Ogre::MovableObject* object, std::uint32_t attachment) const {
         return mEntity == object && mAttachment == attachment;
@@ -36,7 +36,7 @@ private:
         return entity.getListener() == nullptr && !(entity.getRenderingDistance() > 0) &&
                !(entity.getRenderingMinPixelSize() > 0);
     }
-    static bool hasPlainMesh(Ogre::Mesh& mesh) {
+    static bool hasPlainMesh(const Ogre::Mesh& mesh) {
         return mesh.getNumLodLevels() <= 1 && !mesh.hasSkeleton() && !mesh.hasVertexAnimation();
     }
     bool hasSameMesh() const {
@@ -44,8 +44,8 @@ private:
                mMesh->getBoundingSphereRadius() == mMeshRadius && hasPlainMesh(*mMesh);
     }
 
-    Ogre::Entity* mEntity = nullptr;
-    Ogre::Mesh* mMesh = nullptr;
+    const Ogre::Entity* mEntity = nullptr;
+    const Ogre::Mesh* mMesh = nullptr;
     std::size_t mMeshState = 0;
     Ogre::Real mMeshRadius = 0;
     std::uint32_t mAttachment = 0;

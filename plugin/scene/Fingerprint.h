@@ -1,0 +1,38 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+
+namespace Lixel {
+
+/** A number of 128 bits that stands for all values added to it, in their order.
+
+    Two that are equal were made of the same values, for all practical purposes: each half is a
+    chain of bijections, so a single different value always makes a different number, and several
+    do but for one chance in 2¹²⁸.
+*/
+class Fingerprint {
+public:
+    void add(std::uint64_t value) {
+        mLow = std::rotl((mLow ^ value) * 0x9E3779B97F4A7C15ULL, 29);
+        mHigh = (std::rotl(mHigh, 31) ^ value) * 0xD6E8FEB86659FD93ULL;
+    }
+    void add(const void* address) { add(reinterpret_cast<std::uintptr_t>(address)); }
+    void add(std::span<const float> values) {
+        for (const float value : values)
+            add(std::uint64_t{std::bit_cast<std::uint32_t>(value)});
+    }
+    void add(const Fingerprint& other) {
+        add(other.mLow);
+        add(other.mHigh);
+    }
+
+    friend bool operator==(const Fingerprint&, const Fingerprint&) = default;
+
+private:
+    std::uint64_t mLow = 0;
+    std::uint64_t mHigh = 0;
+};
+
+} // namespace Lixel

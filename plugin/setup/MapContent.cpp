@@ -1,0 +1,103 @@
+#include "setup/MapContent.h"
+
+#include "fit/problem/ShadowFit.h"
+#include "scene/OgreVersions.h"
+
+#include <OgreCamera.h>
+#include <OgrePass.h>
+#include <OgreRenderObjectListener.h>
+#include <OgreRenderQueueListener.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <string_view>
+#include <typeinfo>
+
+namespace Lixel {
+namespace {
+
+std::uint64_t hashOf(const std::string& text) {
+    return std::hash<std::string>()(text);
+}
+
+void addProgram(const Ogre::GpuProgramPtr& program, Fingerprint& fingerprint) {
+    fingerprint.add(program.get());
+    if (program) fingerprint.add(program->getStateCount());
+}
+
+void addPass(const Ogre::Pass* pass, Fingerprint& fingerprint) {
+    fingerprint.add(pass);
+    if (pass == nullptr) return;
+    if (pass->hasVertexProgram()) addProgram(pass->getVertexProgram(), fingerprint);
+    if (pass->hasFragmentProgram()) addProgram(pass->getFragmentProgram(), fingerprint);
+    fingerprint.add(std::array{static_cast<float>(pass->getDepthBiasConstant()),
+                               static_cast<float>(pass->getDepthBiasSlopeScale())});
+    fingerprint.add(std::uint64_t{pass->getDepthCheckEnabled()});
+    fingerprint.add(std::uint64_t{pass->getDepthWriteEnabled()});
+    fingerprint.add(std::uint64_t{pass->getDepthFunction()});
+    fingerprint.add(std::uint64_t{pass->getPolygonMode()});
+}
+
+bool isOwnProgram(const std::string& name) {
+    return name.starts_with("Lixel/");
+}
+
+/// Whether a listener's class is OGRE's or Lixel's, as far as its mangled name says.
+template <typename Listener>
+bool isForeign(const Listener& listener) {
+    const std::string_view type = typeid(listener).name();
+    return !type.starts_with("N4Ogre") && !type.starts_with("N5Lixel");
+}
+
+} // namespace
+
+Fingerprint matricesOf(const Ogre::Camera& shadowCamera, const ShadowFit& fit) {
+    Fingerprint matrices;
+    const Ogre::Affine3& view = shadowCamera.getViewMatrix(true);
+    const Ogre::Matrix4& projection = shadowCamera.getProjectionMatrix();
+    matrices.add(std::span<const float>(view[0], 12));
+    matrices.add(std::span<const float>(projection[0], 16));
+    matrices.add(
+        std::array{static_cast<float>(fit.depthScale), static_cast<float>(fit.depthOffset)});
+    return matrices;
+}
+
+Fingerprint settingsOf(Ogre::SceneManager& manager, const Ogre::Camera& shadowCamera,
+                       const Ogre::Viewport& view) {
+    Fingerprint settings;
+    settings.add(&manager);
+    settings.add(std::uint64_t{manager.getShadowTechnique()});
+    settings.add(std::uint64_t{manager.getShadowTextureSelfShadow()});
+    settings.add(std::uint64_t{manager.getCameraRelativeRendering()});
+    settings.add(std::uint64_t{manager.getFindVisibleObjects()});
+    settings.add(std::uint64_t{manager.getVisibilityMask() & view.getVisibilityMask()});
+    settings.add(hashOf(view.getMaterialScheme()));
+    const Ogre::ColourValue& colour = manager.getShadowColour();
+    settings.add(std::array{colour.r, colour.g, colour.b, colour.a});
+    settings.add(std::uint64_t{shadowCamera.getPolygonMode()});
+    if (const Ogre::Viewport* const map = shadowCamera.getViewport()) {
+        settings.add(static_cast<std::uint64_t>(map->getActualWidth()));
+        settings.add(static_cast<std::uint64_t>(map->getActualHeight()));
+    }
+    for (unsigned group = 0; group <= Ogre::RENDER_QUEUE_MAX; ++group)
+        settings.add(
+            std::uint64_t{manager.isRenderQueueToBeProcessed(static_cast<Ogre::uint8>(group))});
+    addPass(shadowCasterPassOf(manager), settings);
+    return settings;
+}
+
+bool hasKnownCasterMaterial(Ogre::SceneManager& manager) {
+    const Ogre::Pass* const pass = shadowCasterPassOf(manager);
+    return pass == nullptr ||
+           ((!pass->hasVertexProgram() || isOwnProgram(pass->getVertexProgramName())) &&
+            (!pass->hasFragmentProgram() || isOwnProgram(pass->getFragmentProgramName())));
+}
+
+bool hasForeignListener(const Ogre::SceneManager& manager) {
+    const auto foreign = [](const auto* listener) { return isForeign(*listener); };
+    return std::ranges::any_of(queueListenersOf(manager), foreign) ||
+           std::ranges::any_of(objectListenersOf(manager), foreign);
+}
+
+} // namespace Lixel

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "setup/MapContent.h"
+#include "setup/MapPlan.h"
+
+namespace Lixel {
+
+struct LightMemory;
+struct ShadowTarget;
+
+/// What to do with a map, and what its texture shows if it is drawn.
+struct PlannedMap {
+    MapDecision decision;
+    std::optional<MapContent> content;
+};
+
+/** Decides whether a map that has something to show is drawn or reused.
+
+    Reading all casters costs time, and is of use only where the map itself has stood still. So a
+    map is drawn once more after it came to rest, with its casters read then.
+
+    @param shadowCamera placed by `fit`
+    @param view the viewport that the viewer's picture is drawn in
+*/
+PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
+                   const ShadowFit& fit, const ShadowTarget& target, LightMemory& memory);
+
+} // namespace Lixel
