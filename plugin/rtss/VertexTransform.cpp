@@ -1,6 +1,7 @@
 #include "rtss/VertexTransform.h"
 
-#include <OgreMeshManager.h>
+#include <Lixel/scene/OgreVersions.h>
+
 #include <RTShaderSystem/OgreShaderFunction.h>
 #include <RTShaderSystem/OgreShaderFunctionAtom.h>
 #include <RTShaderSystem/OgreShaderParameter.h>
@@ -31,14 +32,6 @@ std::size_t weightsReadBy(Program& program) {
             if (operand.getParameter()->getContent() == Parameter::SPC_BLEND_WEIGHTS)
                 components.insert(operand.getMask());
     return components.size();
-}
-
-bool bonesAreInObject() {
-#if OGRE_MIN_VERSION(13, 5, 0) // and it is the default since 14
-    return Ogre::MeshManager::getBonesUseObjectSpace();
-#else
-    return false;
-#endif
 }
 
 /// By a macro since OGRE 13.5, too.

@@ -9,6 +9,7 @@
 #include <OgreHighLevelGpuProgram.h>
 #include <OgreHighLevelGpuProgramManager.h>
 #include <OgreLight.h>
+#include <OgreMeshManager.h>
 #include <OgreRenderQueueSortingGrouping.h>
 #include <OgreRenderSystem.h>
 #include <OgreRenderTexture.h>
@@ -215,6 +216,16 @@ inline bool canDrawShadowsOf([[maybe_unused]] const Ogre::Light& light) {
             (!hasAngle || std::isfinite(light.getSpotlightOuterAngle().valueRadians())));
 #else
     return true;
+#endif
+}
+
+/// Whether programs are given a skeleton's bones in the object's space; otherwise in the world's.
+/// There is a choice since 13.5, and the object's is the default since 14.
+inline bool bonesAreInObject() {
+#if OGRE_MIN_VERSION(13, 5, 0)
+    return Ogre::MeshManager::getBonesUseObjectSpace();
+#else
+    return false;
 #endif
 }
 
