@@ -103,17 +103,15 @@ bool planDepths(const ShadowProblem& problem, CascadeMemory& memory) {
     return memory.nearest > 0.0;
 }
 
-/// Depth of the near plane on the viewer's axis; 0 where it is not in front of the viewer.
-double vsNearOf(const Mat4& clipFromView) {
-    const Eigen::RowVector4d plane = clipFromView.row(2) + clipFromView.row(3);
-    const double depth = plane[3] / plane[2];
-    return std::isfinite(depth) ? std::max(depth, 0.0) : 0.0;
-}
-
-/// The first of the given depths: no slice ends before the viewer sees anything.
+/// The given depths where there are maps for all. Of more, the first ones for which no slice ends
+/// before the viewer sees anything.
 void givenDepths(const ShadowViewer& viewer, std::size_t most, const std::vector<double>& depths,
                  std::vector<double>& vsSplits) {
-    const double vsNear = vsNearOf(viewer.clipFromView) * (1.0 + NearRounding);
+    if (depths.size() <= most) {
+        vsSplits = depths;
+        return;
+    }
+    const double vsNear = vsNearOf(viewer) * (1.0 + NearRounding);
     const auto first = std::upper_bound(depths.begin(), depths.end(), vsNear);
     vsSplits.assign(first, depths.end());
     if (vsSplits.size() > most) vsSplits.resize(most);
@@ -129,7 +127,8 @@ constexpr std::array Declared{
         "what is between the near plane and the end of shadows; off for stable maps"),
     option<&CascadeOptions::vsSplitDepths>(
         "split_depths", above(0.0), "world units",
-        "where slices meet, instead of all this; those up to the near plane do not count"),
+        "where slices meet, instead of all this; of more than there are maps for, those up to the "
+        "near plane do not count"),
     option<&CascadeOptions::splitPadding>(
         "split_padding", atLeast(0.0), "world units",
         "how much farther each slice's map reaches than to where slices meet, for receivers of "
@@ -140,6 +139,12 @@ constexpr std::array Declared{
 
 std::span<const Option> CascadeOptions::declared() {
     return Declared;
+}
+
+double vsNearOf(const ShadowViewer& viewer) {
+    const Eigen::RowVector4d plane = viewer.clipFromView.row(2) + viewer.clipFromView.row(3);
+    const double depth = plane[3] / plane[2];
+    return std::isfinite(depth) ? std::max(depth, 0.0) : 0.0;
 }
 
 void cascadeSplits(const ShadowProblem& problem, std::size_t count, const CascadeOptions& options,

@@ -18,9 +18,11 @@ struct CascadeOptions {
     /// plane to the far end of shadows: the latter stay where they are as long as the viewer's
     /// projection does. With stable maps (UniformOptions::stable) they should stay.
     bool followReceivers = true;
-    /** Where slices meet, as depths in front of the viewer, instead of all that. Depths up to the
-        viewer's near plane do not count, and there are as many of the others as maps less one: so
-        these may be all that Ogre::PSSMShadowCameraSetup::getSplitPoints() returns. */
+    /** Where slices meet, as depths in front of the viewer, instead of all that. As many as maps
+        less one are taken as they are: a slice that ends before the viewer's near plane is empty,
+        and receivers with the same depths read the others' maps. Of more, those up to the near
+        plane do not count, nor those that there are no maps for: so these may be all that
+        Ogre::PSSMShadowCameraSetup::getSplitPoints() returns. */
     std::vector<double> vsSplitDepths{};
     /** How much farther each slice's map reaches than to where slices meet. 0 is enough for Lixel's
         materials. Others may find slices by another depth: OGRE's receivers compare clip z, which
@@ -48,6 +50,9 @@ struct CascadeScratch;
 */
 void cascadeSplits(const ShadowProblem& problem, std::size_t count, const CascadeOptions& options,
                    CascadeMemory& memory, CascadeScratch& scratch, std::vector<double>& vsSplits);
+
+/// Depth of the near plane on the viewer's axis; 0 where it is not in front of the viewer.
+double vsNearOf(const ShadowViewer& viewer);
 
 /// @}
 } // namespace Lixel

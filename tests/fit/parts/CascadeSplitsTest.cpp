@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 using namespace Lixel;
 using namespace Lixel::Test;
@@ -97,6 +99,20 @@ TEST(CascadeSplits, AreBetweenThePlanesWhereTheyDoNotFollow) {
     splits = splitsOf(scene, 2, fixed);
     ASSERT_EQ(splits.size(), 1U);
     EXPECT_NEAR(splits[0], std::sqrt(0.1 * 40.0), 1e-6);
+}
+
+TEST(CascadeSplits, AreGivenOnes) {
+    const Scene scene = wallsAt(2.0, 250.0); // the near plane is at 0.1
+    const auto given = [&](std::size_t count, std::vector<double> depths) {
+        return splitsOf(scene, count, {.vsSplitDepths = std::move(depths)});
+    };
+    using Depths = std::vector<double>;
+    EXPECT_EQ(given(3, {0.1, 5.0, 20.0, 1000.0}), Depths({5.0, 20.0}));
+    EXPECT_EQ(given(3, {5.0, 20.0}), Depths({5.0, 20.0}));
+    EXPECT_EQ(given(4, {5.0, 20.0}), Depths({5.0, 20.0}));
+    EXPECT_EQ(given(2, {5.0, 20.0}), Depths({5.0}));
+    // The second map is the second slice's, though nothing is seen of the first.
+    EXPECT_EQ(given(3, {0.05, 20.0}), Depths({0.05, 20.0}));
 }
 
 TEST(CascadeSplits, AreNoneWhereNothingIsToBeSplit) {
