@@ -5,6 +5,7 @@
 #include "setup/ShadowCameraSetups.h"
 
 #include <OgreException.h>
+#include <OgreShadowCameraSetupPSSM.h>
 
 #include <algorithm>
 
@@ -41,6 +42,35 @@ CascadesShadowCameraSetup::create(const CascadeOptions& options) {
     return create(OptimalShadowCameraSetup::create(), options);
 }
 
+std::shared_ptr<CascadesShadowCameraSetup>
+CascadesShadowCameraSetup::create(const Ogre::PSSMShadowCameraSetup* pssm,
+                                  const Ogre::ShadowCameraSetupPtr& technique) {
+    const char* const function = "CascadesShadowCameraSetup::create";
+    if (pssm == nullptr)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, "pssm: there is none in a null pointer",
+                    function);
+    CascadeOptions options;
+    std::vector<double>& depths = options.vsSplitDepths;
+    depths.assign(pssm->getSplitPoints().begin(), pssm->getSplitPoints().end());
+    if (depths.size() < 3)
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
+                    "pssm: it has no slices yet; call calculateSplitPoints or setSplitPoints first",
+                    function);
+    options.splitPadding = static_cast<double>(pssm->getSplitPadding());
+    try {
+        checkOptions(CascadeOptions::declared(), &options);
+    } catch (const Ogre::InvalidParametersException& wrong) {
+        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, "pssm: " + wrong.getDescription(),
+                    function);
+    }
+    // The first slice begins where the view does, and the last one ends where shadows do.
+    depths.pop_back();
+    depths.erase(depths.begin());
+    auto cascades = create(technique ? technique : OptimalShadowCameraSetup::create(), options);
+    cascades->mServesOgresReceivers = true;
+    return cascades;
+}
+
 void CascadesShadowCameraSetup::setOptions(const CascadeOptions& options) {
     checkOptions(CascadeOptions::declared(), &options);
     mOptions = options;
@@ -71,7 +101,9 @@ LightPartition CascadesShadowCameraSetup::divide(const ShadowProblem& problem, s
     if (needsParts(problem.light)) return FittedShadowCameraSetup::divide(problem, maps, memory);
     auto& own = static_cast<SliceMemory&>(memory);
     cascadeSplits(problem, maps, mOptions, own.cascades, own.scratch, own.vsSplits);
-    return sliceView(problem.viewer, problem.light, own.vsSplits, mOptions.splitPadding);
+    double vsPadding = mOptions.splitPadding;
+    if (mServesOgresReceivers) vsPadding = std::max(vsPadding, 2.0 * vsNearOf(problem.viewer));
+    return sliceView(problem.viewer, problem.light, own.vsSplits, vsPadding);
 }
 
 } // namespace Lixel

@@ -5,6 +5,10 @@
 
 #include <vector>
 
+namespace Ogre {
+class PSSMShadowCameraSetup;
+} // namespace Ogre
+
 namespace Lixel {
 /// @addtogroup LixelSetups
 /// @{
@@ -32,6 +36,28 @@ public:
     }
     /// With Optimal in each slice.
     static std::shared_ptr<CascadesShadowCameraSetup> create(const CascadeOptions& options = {});
+    /** In place of OGRE's PSSM, for receivers that have its split points.
+
+        As OGRE's, slices meet at these points, and there are as many of them. Each map reaches over
+        the border by PSSM's padding, and at least by twice the viewer's near distance, whatever the
+        option `split_padding` says: OGRE's receivers choose a slice by clip z, which is less than
+        the depth by up to that. PSSM's optimal adjust factors have no counterpart: what warps a
+        slice's map fits itself to what is seen. Points and padding are copied: after
+        calculateSplitPoints, create another.
+        @param pssm not kept
+        @param technique as above; null: Optimal
+        @throws Ogre::InvalidParametersException if `pssm` is null, or its split points are not
+        positive, finite and ascending, or its padding is negative or not finite; or if `technique`
+        is none of Lixel's
+    */
+    static std::shared_ptr<CascadesShadowCameraSetup>
+    create(const Ogre::PSSMShadowCameraSetup* pssm,
+           const Ogre::ShadowCameraSetupPtr& technique = {});
+    static std::shared_ptr<CascadesShadowCameraSetup>
+    create(const std::shared_ptr<Ogre::PSSMShadowCameraSetup>& pssm,
+           const Ogre::ShadowCameraSetupPtr& technique = {}) {
+        return create(pssm.get(), technique);
+    }
     /// Use create().
     explicit CascadesShadowCameraSetup(const Ogre::ShadowCameraSetupPtr& technique,
                                        const CascadeOptions& options = {});
@@ -54,6 +80,8 @@ protected:
 private:
     std::shared_ptr<const FittedShadowCameraSetup> mTechnique;
     CascadeOptions mOptions;
+    /// Whether receivers choose slices by clip z.
+    bool mServesOgresReceivers = false;
 };
 
 /// @}

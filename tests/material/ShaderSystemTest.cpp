@@ -5,6 +5,9 @@
 
 #include <Lixel/setup/ShadowCameraSetups.h>
 
+#include <OgreShadowCameraSetupPSSM.h>
+
+#include <memory>
 #include <optional>
 
 namespace Lixel::Tests {
@@ -59,6 +62,21 @@ std::vector<int> darkness(MaterialScene& scene) {
     return mask;
 }
 
+/// Pixels that are not dark though they are in a picture, they and all around them: no edge of a
+/// shadow, which every map draws a bit elsewhere.
+std::size_t missingWithin(const std::vector<int>& shadows, const std::vector<int>& drawn,
+                          std::size_t width) {
+    std::size_t missing = 0;
+    for (std::size_t at = width + 1; at + width + 1 < shadows.size(); ++at) {
+        bool within = drawn[at] == 0;
+        for (const std::size_t row : {at - width, at, at + width})
+            for (const std::size_t pixel : {row - 1, row, row + 1})
+                within = within && shadows[pixel] != 0;
+        missing += within ? 1 : 0;
+    }
+    return missing;
+}
+
 /// Gives ground and box a material without programs, a bit darker than white.
 void wearPlain(MaterialScene& scene) {
     const char* const name = "Test/Plain";
@@ -73,7 +91,10 @@ void wearPlain(MaterialScene& scene) {
 /// A sun with three cascades, shown by Lixel's materials and then by the shader system's.
 class ShaderSystemCascades {
 public:
-    ShaderSystemCascades(float nearDistance, const std::vector<Ogre::Real>& splits) {
+    /// @param wall whether a wall beside the box casts a shadow at all depths
+    ShaderSystemCascades(float nearDistance, const std::vector<Ogre::Real>& splits,
+                         bool wall = false) {
+        if (wall) scene.addCube(Ogre::Vector3(-3, 2, -20), Ogre::Vector3(0.5F, 4, 56));
         scene.stage.camera().setNearClipDistance(nearDistance);
         for (Ogre::Light* light : scene.lights)
             light->setVisible(light == scene.lights.front());
@@ -128,6 +149,46 @@ TEST(ForeignMaterials, OfTheShaderSystemTakePaddedCascades) {
     const std::vector<int> padded = darkness(stage.scene);
     stage.scene.keepPicture("foreign-shader-system-padded");
     EXPECT_LT(differing(stage.own, padded), 0.1);
+}
+
+/// Where OGRE's PSSM served them before, with the points that they have. Slices end in the wall's
+/// shadow, and one in the box's.
+TEST(ForeignMaterials, OfTheShaderSystemReadCascadesInPlaceOfPssm) {
+    struct Case {
+        const char* name;
+        std::vector<Ogre::Real> points;
+        float padding;
+    };
+    constexpr float Near = 1.5F;
+    for (const Case& tested :
+         {Case{"as in OGRE's sample", {Near, 17, 30, 100}, 2 * Near},
+          Case{"padded too little", {Near, 17, 30, 100}, 0},
+          Case{"the near plane is behind the first slice", {0.5F, 1.2F, 17, 100}, 0}}) {
+        SCOPED_TRACE(tested.name);
+        ShaderSystemCascades stage(Near, {tested.points[1], tested.points[2]}, true);
+        Ogre::Light& sun = *stage.scene.lights.front();
+        const auto pssm = std::make_shared<Ogre::PSSMShadowCameraSetup>();
+        pssm->setSplitPoints(tested.points);
+        pssm->setSplitPadding(tested.padding);
+        sun.setCustomShadowCameraSetup(pssm);
+        const double before = differing(stage.own, darkness(stage.scene));
+        stage.scene.keepPicture("foreign-shader-system-ogres-pssm");
+        for (const char* const technique : {"", "Uniform"}) {
+            sun.setCustomShadowCameraSetup(
+                *technique == '\0' ? CascadesShadowCameraSetup::create(pssm)
+                                   : CascadesShadowCameraSetup::create(
+                                         pssm, Samples::findShadowSetup(technique)->create()));
+            LogCollector log;
+            const std::vector<int> drawn = darkness(stage.scene);
+            stage.scene.keepPicture(std::string("foreign-shader-system-in-place-of-pssm") +
+                                    technique);
+            EXPECT_EQ(
+                missingWithin(stage.own, drawn, stage.scene.stage.viewport().getActualWidth()), 0U)
+                << technique;
+            EXPECT_LT(differing(stage.own, drawn), 0.15) << technique << "; PSSM: " << before;
+            EXPECT_EQ(log.count("Lixel:"), 0U) << log.all();
+        }
+    }
 }
 
 /// OGRE takes the ambient light out of its receiver before it first draws with it, and the shader

@@ -254,6 +254,46 @@ TEST(Options, CascadesTakeAllSplitPointsOfOgresPssm) {
     }
 }
 
+TEST(Options, CascadesInPlaceOfPssm) {
+    const BoxOnGround scene; // without Root there is no PSSM
+    const auto pssm = std::make_shared<Ogre::PSSMShadowCameraSetup>();
+    pssm->setSplitPoints({0.5F, 8, 20, 90});
+    pssm->setSplitPadding(3);
+    for (const auto& made :
+         {CascadesShadowCameraSetup::create(pssm), CascadesShadowCameraSetup::create(pssm.get()),
+          CascadesShadowCameraSetup::create(pssm, UniformShadowCameraSetup::create())}) {
+        EXPECT_EQ(made->getOptions().vsSplitDepths, std::vector({8.0, 20.0}));
+        EXPECT_EQ(made->getOptions().splitPadding, 3.0);
+    }
+    const auto refusalOf = [](const std::shared_ptr<Ogre::PSSMShadowCameraSetup>& wrong) {
+        return refusal([&] { CascadesShadowCameraSetup::create(wrong); });
+    };
+    EXPECT_NE(refusalOf(nullptr).find("pssm: there is none in a null pointer"), std::string::npos);
+#if OGRE_VERSION_MAJOR < 13 // Since 13 nothing can take away the points that it begins with.
+    struct Unset : Ogre::PSSMShadowCameraSetup {
+        Unset() { mSplitPoints.clear(); }
+    };
+    EXPECT_NE(refusalOf(std::make_shared<Unset>()).find("pssm: it has no slices yet"),
+              std::string::npos);
+#endif
+    for (const Ogre::PSSMShadowCameraSetup::SplitPointList& wrong :
+         std::vector<Ogre::PSSMShadowCameraSetup::SplitPointList>{
+             {0, 8, 20}, {9, 8, 20}, {1, 8, 8}, {1, NaN, 20}, {1, 8, Infinity}}) {
+        pssm->setSplitPoints(wrong);
+        EXPECT_NE(refusalOf(pssm).find("pssm: split_depths"), std::string::npos) << wrong.back();
+    }
+    pssm->calculateSplitPoints(3, 1, 90);
+    for (const float wrong : {NaN, Infinity, -1.0F}) {
+        pssm->setSplitPadding(wrong);
+        EXPECT_NE(refusalOf(pssm).find("pssm: split_padding"), std::string::npos) << wrong;
+    }
+    pssm->setSplitPadding(0);
+    EXPECT_NE(refusal([&] {
+                  CascadesShadowCameraSetup::create(pssm, Ogre::DefaultShadowCameraSetup::create());
+              }).find("technique"),
+              std::string::npos);
+}
+
 TEST(Options, Cascades) {
     CascadesShadowCameraSetup setup(UniformShadowCameraSetup::create());
     setup.setOptions({.uniformity = 0.5, .followReceivers = false});
