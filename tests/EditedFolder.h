@@ -41,6 +41,7 @@ public:
         groups.initialiseResourceGroup(mGroup);
     }
     std::vector<std::string> reload() const { return Lixel::reload(mGroup); }
+    const std::filesystem::path& path() const { return mFolder; }
 
 private:
     std::string mGroup;

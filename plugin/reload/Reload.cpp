@@ -38,6 +38,8 @@ std::vector<std::string> reload(const Ogre::String& group) {
                     "group: there is no resource group '" + group + "'", "Lixel::reload");
     // Programs first: materials bind what these have now.
     std::vector<std::string> errors = reloadShaders(group);
+    for (ReloadListener* const listener : listeners())
+        std::ranges::move(listener->shadersChange(group), std::back_inserter(errors));
     std::ranges::move(reloadMaterials(group,
                                       [](Ogre::Material& material) {
                                           for (ReloadListener* const listener : listeners())

@@ -17,7 +17,7 @@ namespace Lixel {
     Setups (`.shadow`), materials and programs (`.material`, `.program`) change in place: lights and
     objects keep what they have, and the next frame is drawn with it. The shaders of programs that
     are in use are read again with all that they include, and OGRE's shader system makes its
-    programs of that group's materials anew.
+    programs of that group's materials anew, and those with Lixel's shadows that include its files.
 
     What has an error stays as it was: a setup, all materials of a script, a shader. So does what is
     no longer in the files. OGRE does not see files that are new in a location; add the location
@@ -37,6 +37,10 @@ public:
     virtual ~ReloadListener() = default;
     /// A material is about to lose its techniques.
     virtual void materialChanges(Ogre::Material& material) = 0;
+    /// A group's shaders have been read again. What other programs were made of them, whose text is
+    /// in no file, is to be made anew.
+    /// @return what is wrong, a line each, which the log has too; it stays as it was
+    virtual std::vector<std::string> shadersChange(const Ogre::String& group) = 0;
 };
 
 /// Registers a listener, once. It must be removed before it is destroyed.

@@ -5,11 +5,13 @@
 #include "rtss/TakeOff.h"
 
 #include <Lixel/scene/Log.h>
+#include <Lixel/scene/NameList.h>
 
 #include <OgreException.h>
 #include <OgreMaterial.h>
 #include <OgreRoot.h>
 #include <RTShaderSystem/OgreShaderGenerator.h>
+#include <RTShaderSystem/OgreShaderProgramSet.h>
 
 namespace Lixel {
 
@@ -50,6 +52,7 @@ void Registry::shutdown() {
     mScenes.clear();
     if (Ogre::Root* const root = Ogre::Root::getSingletonPtr()) root->removeFrameListener(this);
     mMadeFor.clear();
+    mIncludedFiles = {};
     mSaid.clear();
     // States that something else still holds need it.
     if (mFactory == nullptr || !mFactory->isUnused()) return;
@@ -83,6 +86,34 @@ void Registry::makeProgramsAnew() {
 void Registry::materialChanges(Ogre::Material& material) {
     if (ShaderGenerator* const generator = ShaderGenerator::getSingletonPtr())
         generator->removeAllShaderBasedTechniques(material.getName(), material.getGroup());
+}
+
+void Registry::noteIncludes(const Ogre::RTShader::ProgramSet& programs) {
+    for (const auto type : {Ogre::GPT_VERTEX_PROGRAM, Ogre::GPT_FRAGMENT_PROGRAM})
+        mIncludedFiles.note(*programs.getCpuProgram(type));
+}
+
+std::vector<std::string> Registry::shadersChange(const Ogre::String& group) {
+    ShaderGenerator* const generator = ShaderGenerator::getSingletonPtr();
+    if (generator == nullptr || mMadeFor.empty()) return {};
+    const std::vector<std::string> edited = mIncludedFiles.editedIn(group);
+    if (edited.empty()) return {};
+    std::vector<Ogre::String> schemes;
+    for (const auto& [scheme, layout] : mMadeFor)
+        if (generator->hasRenderState(scheme)) schemes.push_back(scheme);
+    // Without a scene manager OGRE's own parts of programs cannot be made.
+    const bool canDraw = generator->getActiveSceneManager() != nullptr;
+    if (canDraw && mMadePrograms.makeAnew(*generator, schemes)) {
+        mIncludedFiles.take(edited);
+        return {};
+    }
+    const std::string error =
+        "programs of OGRE's shader system: " + joinNames(edited) +
+        (canDraw ? ", or what is included there, does not compile or is missing"
+                 : " was edited, and no scene manager draws with them now") +
+        "; all of these programs stay as they were" + (canDraw ? " (the log has more)" : "");
+    logWarning(error);
+    return {error};
 }
 
 void Registry::watchAll(AllLightUnits& scenes) {

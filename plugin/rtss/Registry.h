@@ -1,6 +1,8 @@
 #pragma once
 
+#include "rtss/IncludedFiles.h"
 #include "rtss/LightUnits.h"
+#include "rtss/MadePrograms.h"
 
 #include <Lixel/reload/Reload.h>
 
@@ -9,8 +11,10 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace Ogre::RTShader {
+class ProgramSet;
 class ShaderGenerator;
 } // namespace Ogre::RTShader
 
@@ -33,6 +37,11 @@ public:
     AllLightUnits& scenes() { return mScenes; }
     /// Records the layout of a scheme's first program, even if no shadow code was added.
     void noteProgram(const Ogre::String& scheme);
+    /// Records what programs include, so that an edit of it is seen. Call it when they are made,
+    /// and again when the parts of others are in them too.
+    void noteIncludes(const Ogre::RTShader::ProgramSet& programs);
+    /// A define that all programs are to have; or empty.
+    const std::string& editDefine() const { return mMadePrograms.define(); }
     /// Writes a line to the log, unless it was written before.
     void sayOnce(const std::string& message);
 
@@ -45,11 +54,14 @@ private:
     static void watchAll(AllLightUnits& scenes);
     /// The shader system keeps pointers to the techniques that it has made others of.
     void materialChanges(Ogre::Material& material) override;
+    std::vector<std::string> shadersChange(const Ogre::String& group) override;
 
     ShadowFactory* mFactory = nullptr;
     AllLightUnits mScenes;
     /// The layout for which the first of a scheme's programs was made.
     std::map<Ogre::String, MapLayout> mMadeFor;
+    IncludedFiles mIncludedFiles;
+    MadePrograms mMadePrograms;
     std::set<std::string> mSaid;
 };
 

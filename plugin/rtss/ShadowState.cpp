@@ -15,6 +15,7 @@
 #include <OgreTextureUnitState.h>
 #include <OgreUserObjectBindings.h>
 #include <RTShaderSystem/OgreShaderGenerator.h>
+#include <RTShaderSystem/OgreShaderProgram.h>
 #include <RTShaderSystem/OgreShaderProgramSet.h>
 #include <RTShaderSystem/OgreShaderRenderState.h>
 
@@ -126,12 +127,16 @@ std::size_t ShadowState::addUnits() {
 }
 
 bool ShadowState::createCpuSubPrograms(ProgramSet* programs) {
+    mPrograms = programs;
     ProgramBuild build{*programs->getCpuProgram(Ogre::GPT_VERTEX_PROGRAM),
                        *programs->getCpuProgram(Ogre::GPT_FRAGMENT_PROGRAM),
                        {},
                        {},
                        {},
                        {}};
+    if (const std::string& define = mRegistry.editDefine(); !define.empty())
+        for (Program* const program : {&build.vertex, &build.pixel})
+            program->addPreprocessorDefines(define);
     if (std::string warning = setCaster(*mPass, build.vertex); !warning.empty())
         mPendingWarnings.push_back(std::move(warning));
     if (!mReceives) return true;
@@ -152,6 +157,7 @@ bool ShadowState::createCpuSubPrograms(ProgramSet* programs) {
         visibilities.push_back(addVisibility(build, uniforms, mapsOf(light)));
     }
     dimLights(build.pixel, lights, visibilities, VisibilityStage);
+    mRegistry.noteIncludes(*programs);
     return true;
 }
 
@@ -160,6 +166,8 @@ void ShadowState::updateGpuProgramsParams(Ogre::Renderable*, const Ogre::Pass* p
                                           const Ogre::LightList* lights) {
     for (const std::string& warning : std::exchange(mPendingWarnings, {}))
         mRegistry.sayOnce(warning);
+    if (const ProgramSet* const programs = std::exchange(mPrograms, nullptr))
+        mRegistry.noteIncludes(*programs);
     Ogre::SceneManager* const manager = ShaderGenerator::getSingleton().getActiveSceneManager();
     if (mLights.empty() || manager == nullptr || lights == nullptr) return;
     const LightUnits& units = mRegistry.scenes().watch(*manager);

@@ -52,6 +52,8 @@ private:
     /// Alive while programs are made.
     const Ogre::RTShader::RenderState* mTarget = nullptr;
     Ogre::Pass* mPass = nullptr;
+    /// Alive until they are first drawn; null from then on.
+    const Ogre::RTShader::ProgramSet* mPrograms = nullptr;
     MapLayout mLayout;
     bool mReceives = false;
     /// Why the material is not shadowed as it should be: logged once the material is drawn, since
