@@ -1,5 +1,6 @@
 #include "scene/CasterSearch.h"
 
+#include "fit/focus/ViewVolume.h"
 #include "scene/OgreMath.h"
 
 #include <OgreMovableObject.h>
@@ -7,22 +8,27 @@
 namespace Lixel {
 
 const BoxSet& CasterSearch::find(const Survey& survey, const ShadowLight& light,
-                                 double shadowDistance) {
+                                 double shadowDistance, double margin) {
     const BoxSet& receivers = survey.receivers();
     if (receivers.unbounded() > 0) return findAll(survey);
     clear(survey);
     ShadowViewer viewer = survey.viewer();
     viewer.shadowDistance = shadowDistance;
+    viewer = widened(viewer, margin);
     if (!receivers.empty() && receivers.invalid() == 0 && CasterSweep::isUsable(light) &&
         mReach.set(viewer, light, survey.receiverBounds(), survey.wsOrigin()))
         collect(survey, mReach.volume());
     return mCasters;
 }
 
-const BoxSet& CasterSearch::findAll(const Survey& survey) {
+const BoxSet& CasterSearch::findIn(const Survey& survey, const NodeCuller& volume) {
     clear(survey);
-    collect(survey, NodeCuller());
+    collect(survey, volume);
     return mCasters;
+}
+
+const BoxSet& CasterSearch::findAll(const Survey& survey) {
+    return findIn(survey, NodeCuller());
 }
 
 void CasterSearch::clear(const Survey& survey) {

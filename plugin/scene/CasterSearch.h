@@ -18,8 +18,13 @@ public:
     /// @param survey of the scene as it is now
     /// @param light relative to the survey's origin
     /// @param shadowDistance as ShadowViewer::shadowDistance
+    /// @param margin share by which the view is widened, as the survey was taken with
     /// @return the casters, good until the next search
-    const BoxSet& find(const Survey& survey, const ShadowLight& light, double shadowDistance);
+    const BoxSet& find(const Survey& survey, const ShadowLight& light, double shadowDistance,
+                       double margin = 0.0);
+
+    /// The casters in a volume.
+    const BoxSet& findIn(const Survey& survey, const NodeCuller& volume);
 
     /// Hulls of the casters found. They read the objects: good until one is moved or destroyed.
     const BodyShapes& shapes() const { return mShapes; }

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace Lixel {
 
@@ -22,6 +23,12 @@ public:
     void add(std::span<const float> values) {
         for (const float value : values)
             add(std::uint64_t{std::bit_cast<std::uint32_t>(value)});
+    }
+    void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+    void add(std::string_view text) {
+        add(std::uint64_t{text.size()});
+        for (const char c : text)
+            add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
     }
     void add(const Fingerprint& other) {
         add(other.mLow);

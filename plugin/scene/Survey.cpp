@@ -30,8 +30,8 @@ bool needsSurface(const Aabb& box) {
 
 } // namespace
 
-void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
-                  double shadowDistance) {
+void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport, double shadowDistance,
+                  double margin) {
     mMeshes.beginPicture(Ogre::Root::getSingleton().getNextFrameNumber());
     mRules = SceneRules(viewer, viewport);
     mReceivers.clear();
@@ -55,7 +55,7 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
     mReceiverShapes.reset(mMeshes, mWsOrigin);
     ShadowViewer reach = mViewer;
     reach.shadowDistance = shadowDistance;
-    mView = viewVolume(reach);
+    mView = viewVolume(widened(reach, margin));
 
     for (const NodeWalk::Object& found :
          mWalk.collect(mRules.sceneManager(), NodeCuller(mView, mWsOrigin)))

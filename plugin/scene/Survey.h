@@ -48,8 +48,9 @@ public:
 
     /// Surveys the scene of `viewer`, as seen through `viewport`.
     /// @param shadowDistance as ShadowViewer::shadowDistance: receivers beyond are left out
+    /// @param margin share by which the view is widened: for maps that are to last
     void take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
-              double shadowDistance = 0.0);
+              double shadowDistance = 0.0, double margin = 0.0);
 
     /// The viewer: matrices relative to wsOrigin. Shadow distance is left 0: it is the light's.
     const ShadowViewer& viewer() const { return mViewer; }

@@ -16,14 +16,15 @@ namespace {
 class CachedSurvey : public SceneManagerListener {
 public:
     const TimedSurvey& get(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
-                           double distance) {
+                           double distance, double margin) {
         const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
-        if (mCamera == &viewer && mViewport == &viewport && mFrame == frame && reaches(distance)) {
+        if (mCamera == &viewer && mViewport == &viewport && mFrame == frame &&
+            reaches(distance, margin)) {
             mTimed.microseconds = 0.0;
             return mTimed;
         }
         const auto begin = std::chrono::steady_clock::now();
-        mTimed.survey.take(viewer, viewport, distance);
+        mTimed.survey.take(viewer, viewport, distance, margin);
         const std::chrono::duration<double, std::micro> passed =
             std::chrono::steady_clock::now() - begin;
         mTimed.microseconds = passed.count();
@@ -31,6 +32,7 @@ public:
         mViewport = &viewport;
         mFrame = frame;
         mDistance = distance;
+        mMargin = margin;
         return mTimed;
     }
 
@@ -38,8 +40,8 @@ public:
     void shadowTexturesUpdated(std::size_t) override { end(); }
 
 private:
-    bool reaches(double distance) const {
-        return mDistance == 0.0 || (distance > 0.0 && distance <= mDistance);
+    bool reaches(double distance, double margin) const {
+        return margin <= mMargin && (mDistance == 0.0 || (distance > 0.0 && distance <= mDistance));
     }
 
     TimedSurvey mTimed;
@@ -48,6 +50,7 @@ private:
     unsigned long mFrame = 0;
     /// 0: to the viewer's far plane.
     double mDistance = 0.0;
+    double mMargin = 0.0;
 };
 
 PerScene<CachedSurvey>& cache() {
@@ -58,8 +61,10 @@ PerScene<CachedSurvey>& cache() {
 } // namespace
 
 const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
-                             double shadowDistance) {
-    return cache().of(*viewer.getSceneManager()).listener.get(viewer, viewport, shadowDistance);
+                             double shadowDistance, double margin) {
+    return cache()
+        .of(*viewer.getSceneManager())
+        .listener.get(viewer, viewport, shadowDistance, margin);
 }
 
 void endSurvey(Ogre::SceneManager& sceneManager) {

@@ -69,7 +69,17 @@ constexpr std::array DeclaredCommon{
     option<&CommonOptions::reuseMaps>(
         "reuse_maps", "whether a map is kept while it shows just what it would show if it were "
                       "drawn again"),
+    option<&CommonOptions::lastingMaps>("lasting_maps", between(0.0, 1.0), "share",
+                                        "how much coarser a map's texels may become before it is "
+                                        "fitted anew while the viewer moves; "
+                                        "0: fitted in each frame"),
 };
+
+/// Of lasting_maps: the widest margin around what is seen, the least that is tried, and by how much
+/// a new map's texels may be coarser for it.
+constexpr double MarginShare = 0.5;
+constexpr double LeastMargin = 0.05;
+constexpr double FreshShare = 0.7;
 
 } // namespace
 
@@ -118,6 +128,10 @@ void FittedShadowCameraSetup::setFilterRadius(Ogre::Real texels) {
 
 void FittedShadowCameraSetup::setDepthBias(Ogre::Real worldUnits) {
     setCommon(&CommonOptions::depthBias, worldUnits);
+}
+
+void FittedShadowCameraSetup::setLastingMaps(Ogre::Real share) {
+    setCommon(&CommonOptions::lastingMaps, share);
 }
 
 void FittedShadowCameraSetup::setVisiblePoints(const std::vector<VisiblePoint>& wsPoints) {
@@ -218,7 +232,8 @@ void FittedShadowCameraSetup::findCasters(const ShadowProblem& problem, const Su
     for (VisiblePoint& point : memory.visiblePoints)
         point.ws -= survey.wsOrigin();
     memory.hasFingerprint = false;
-    memory.casters = &memory.search.find(survey, problem.light, problem.viewer.shadowDistance);
+    memory.casters = &memory.search.find(survey, problem.light, problem.viewer.shadowDistance,
+                                         MarginShare * mCommon.lastingMaps);
 }
 
 /*  1. Count the light's maps, from its first one on.
@@ -253,7 +268,8 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
         return;
     }
 
-    const TimedSurvey& timed = surveyFor(*viewer, *viewport, light->getShadowFarDistance());
+    const TimedSurvey& timed = surveyFor(*viewer, *viewport, light->getShadowFarDistance(),
+                                         MarginShare * mCommon.lastingMaps);
     const Survey& survey = timed.survey;
     ShadowProblem problem = describe(request, survey, memory);
     const auto searchBegin = Clock::now();
@@ -271,23 +287,30 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     const ShadowFit result = fitNext(problem, *light, memory.maps - iteration, memory, news, part);
     const double fitTime = since(fitBegin);
 
-    placeShadowCamera(*shadowCamera, result, survey.wsOrigin());
+    LastingMap* const lasting = mCommon.lastingMaps > 0.0 && result.hasMap()
+                                    ? &lastingMap(request, problem, *part, result, memory)
+                                    : nullptr;
+    const ShadowFit& shown = lasting != nullptr ? lasting->fit : result;
+    const Vec3 wsOrigin = lasting != nullptr ? lasting->wsOrigin : survey.wsOrigin();
+    placeShadowCamera(*shadowCamera, shown, wsOrigin);
     MapDecision decision;
-    if (isDrawn) decision = draw(request, result, survey.wsOrigin(), targets.front(), memory);
+    if (isDrawn)
+        decision = draw(request, shown, wsOrigin, survey, targets.front(), memory, lasting);
     news.tell(*light, result.reason, problem);
     if (!survey.unboundedName().empty() && result.hasMap())
         news.tellWithoutBounds(*light, survey.unboundedName());
     if (!isDrawn) return endSurvey(sceneManager); // asked for the matrices alone
+    const ShadowPart served = relocated(*part, survey.wsOrigin() - wsOrigin);
     publishShadowMap({.sceneManager = sceneManager,
                       .viewer = *viewer,
                       // OGRE hands out its own, mutable light as const.
                       .light = const_cast<Ogre::Light&>(*light),
                       .shadowCamera = *shadowCamera,
                       .iteration = iteration,
-                      .part = *part,
-                      .fit = result,
+                      .part = served,
+                      .fit = shown,
                       .decision = decision,
-                      .wsOrigin = survey.wsOrigin(),
+                      .wsOrigin = wsOrigin,
                       .width = problem.mapWidth,
                       .height = problem.mapHeight,
                       .depthBias = mCommon.depthBias,
@@ -296,27 +319,61 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
                       .fitMicroseconds = fitTime});
 }
 
+LastingMap& FittedShadowCameraSetup::lastingMap(const Request& request,
+                                                const ShadowProblem& problem,
+                                                const ShadowPart& part, const ShadowFit& fresh,
+                                                LightMemory& memory) const {
+    std::unique_ptr<LastingMap>& kept = memory.lasting.at(request.iteration);
+    if (!kept) kept = std::make_unique<LastingMap>();
+    Fingerprint settings;
+    addLight(problemOf(problem, part), settings);
+    for (const Ogre::ParameterDef& parameter : getParameters())
+        settings.add(std::string_view(getParameter(settingName(parameter))));
+    if (serves(*kept, settings, fresh, problem, mCommon.lastingMaps)) return *kept;
+
+    kept->settings = settings;
+    kept->wsOrigin = problem.wsOrigin;
+    // What a margin costs depends on the view: the widest one is taken that leaves the map to last.
+    for (double margin = MarginShare * mCommon.lastingMaps;
+         margin > LeastMargin * mCommon.lastingMaps; margin /= 2.0) {
+        kept->fit = fit(problemOf(widened(problem, margin), widened(part, margin)), kept->state);
+        if (serves(*kept, settings, fresh, problem, FreshShare * mCommon.lastingMaps)) return *kept;
+    }
+    kept->fit = fresh;
+    return *kept;
+}
+
 MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowFit& fit,
-                                          const Vec3& wsOrigin, const ShadowTarget& target,
-                                          LightMemory& memory) const {
+                                          const Vec3& wsOrigin, const Survey& survey,
+                                          const ShadowTarget& target, LightMemory& memory,
+                                          LastingMap* lasting) const {
     if (!fit.hasMap()) {
         skipShadowPass(request.shadowCamera, target);
         return {MapPlan::Skip, PlanReason::NothingShadowed, {}};
     }
-    PlannedMap planned = mCommon.reuseMaps
-                             ? planMap(request.shadowCamera, request.viewport, fit, target, memory)
-                             : PlannedMap{{MapPlan::Draw, PlanReason::Forbidden, {}}, {}};
-    const bool reused = planned.decision.plan == MapPlan::Reuse;
-    if (reused && !isProofMode()) {
-        keepShadowPass(request.shadowCamera);
-        return std::move(planned.decision);
-    }
     CasterVolume& volume = memory.volumes.at(request.iteration);
     volume.set(fit, wsOrigin);
-    if (reused)
+    const auto readCasters = [&]() -> const CasterFingerprint& {
+        if (lasting != nullptr) {
+            // Other casters are near the viewer's region than near that of a map that lasts.
+            lasting->search.findIn(survey, volume.volume());
+            lasting->fingerprint.take(lasting->search);
+            return lasting->fingerprint;
+        }
+        if (!memory.hasFingerprint) memory.fingerprint.take(memory.search);
+        memory.hasFingerprint = true;
+        return memory.fingerprint;
+    };
+    PlannedMap planned =
+        mCommon.reuseMaps
+            ? planMap(request.shadowCamera, request.viewport, fit, target, readCasters)
+            : PlannedMap{{MapPlan::Draw, PlanReason::Forbidden, {}}, {}};
+    if (planned.decision.plan != MapPlan::Reuse)
+        armShadowPass(request.shadowCamera, volume, planned.content);
+    else if (isProofMode())
         proveShadowPass(request.shadowCamera, volume, *planned.content, target);
     else
-        armShadowPass(request.shadowCamera, volume, planned.content);
+        keepShadowPass(request.shadowCamera);
     return std::move(planned.decision);
 }
 

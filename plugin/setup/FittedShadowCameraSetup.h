@@ -21,6 +21,7 @@ namespace Lixel {
 struct DivisionMemory;
 struct FitState;
 struct LightMemory;
+struct LastingMap;
 class LightNews;
 struct LightPartition;
 struct MapDecision;
@@ -52,6 +53,13 @@ struct CommonOptions {
         such as skeletons, particles and what has holes, have it drawn.
         @see redrawShadowMaps */
     bool reuseMaps = true;
+    /** For how long a map may be kept although the viewer moves, as the share by which its texels may
+        be coarser than those of a map fitted in each frame; 0: none is kept.
+
+        Half of it is a margin around what is seen, so that a map lasts while the viewer turns and
+        goes on; the map is fitted anew when the margin is used up, or its texels are too coarse.
+        Shadows' edges do not crawl meanwhile. */
+    double lastingMaps = 0.0;
 
     LIXEL_API static std::span<const Option> declared();
 };
@@ -123,6 +131,11 @@ public:
     void setReuseMaps(bool reuse) { mCommon.reuseMaps = reuse; }
     bool getReuseMaps() const { return mCommon.reuseMaps; }
 
+    /// @see CommonOptions::lastingMaps
+    /// @throws Ogre::InvalidParametersException unless 0 <= share <= 1.
+    void setLastingMaps(Ogre::Real share);
+    Ogre::Real getLastingMaps() const { return static_cast<Ogre::Real>(mCommon.lastingMaps); }
+
     /** What the viewer sees of the receivers, where the application knows it better than a few view
         rays against boxes and meshes do: points spread evenly over the picture, in world
         coordinates, such as a depth buffer read back, with the normals of the sides that are seen.
@@ -193,9 +206,15 @@ private:
     /// Fits the next part that one of the light's remaining maps is for.
     ShadowFit fitNext(const ShadowProblem& problem, const Ogre::Light& light, std::size_t mapsLeft,
                       LightMemory& memory, LightNews& news, const ShadowPart*& part) const;
+    /// The map that lasts in place of a fresh fit: the one that is kept, or a new one.
+    LastingMap& lastingMap(const Request& request, const ShadowProblem& problem,
+                           const ShadowPart& part, const ShadowFit& fresh,
+                           LightMemory& memory) const;
     /// Has a placed map drawn, kept, or skipped where there is none.
+    /// @param lasting null for a map of this frame alone
     MapDecision draw(const Request& request, const ShadowFit& fit, const Vec3& wsOrigin,
-                     const ShadowTarget& target, LightMemory& memory) const;
+                     const Survey& survey, const ShadowTarget& target, LightMemory& memory,
+                     LastingMap* lasting) const;
 
     std::unique_ptr<SetupMemory> mMemory;
     std::string mName;

@@ -10,16 +10,11 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <string_view>
 #include <typeinfo>
 
 namespace Lixel {
 namespace {
-
-std::uint64_t hashOf(const std::string& text) {
-    return std::hash<std::string>()(text);
-}
 
 void addProgram(const Ogre::GpuProgramPtr& program, Fingerprint& fingerprint) {
     fingerprint.add(program.get());
@@ -72,7 +67,7 @@ Fingerprint settingsOf(Ogre::SceneManager& manager, const Ogre::Camera& shadowCa
     settings.add(std::uint64_t{manager.getCameraRelativeRendering()});
     settings.add(std::uint64_t{manager.getFindVisibleObjects()});
     settings.add(std::uint64_t{manager.getVisibilityMask() & view.getVisibilityMask()});
-    settings.add(hashOf(view.getMaterialScheme()));
+    settings.add(std::string_view(view.getMaterialScheme()));
     const Ogre::ColourValue& colour = manager.getShadowColour();
     settings.add(std::array{colour.r, colour.g, colour.b, colour.a});
     settings.add(std::uint64_t{shadowCamera.getPolygonMode()});

@@ -1,25 +1,15 @@
 #include "setup/PlannedMap.h"
 
+#include "scene/CasterFingerprint.h"
 #include "scene/OgreVersions.h"
-#include "setup/SetupMemory.h"
 #include "setup/ShadowPass.h"
 
 #include <OgreCamera.h>
 
 namespace Lixel {
-namespace {
-
-/// The casters, read once for all maps of a light.
-const CasterFingerprint& castersOf(LightMemory& memory) {
-    if (!memory.hasFingerprint) memory.fingerprint.take(memory.search);
-    memory.hasFingerprint = true;
-    return memory.fingerprint;
-}
-
-} // namespace
-
 PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
-                   const ShadowFit& fit, const ShadowTarget& target, LightMemory& memory) {
+                   const ShadowFit& fit, const ShadowTarget& target,
+                   const std::function<const CasterFingerprint&()>& readCasters) {
     Ogre::SceneManager& manager = *shadowCamera.getSceneManager();
     if (drawsMapsTogether(*target.texture)) return {};
     if (hasForeignListener(manager)) return {{MapPlan::Draw, PlanReason::Listener, {}}, {}};
@@ -39,7 +29,7 @@ PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
     if (shown->empty || !(shown->matrices == wanted.matrices)) return drawn(PlanReason::MapChanged);
     if (!(shown->settings == wanted.settings)) return drawn(PlanReason::SettingsChanged);
 
-    const CasterFingerprint& casters = castersOf(memory);
+    const CasterFingerprint& casters = readCasters();
     if (!casters.unknownName().empty())
         return {{MapPlan::Draw, PlanReason::RestlessCaster, casters.unknownName()}, wanted};
     wanted.casters = casters.value();

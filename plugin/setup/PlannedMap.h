@@ -3,9 +3,11 @@
 #include "setup/MapContent.h"
 #include "setup/MapPlan.h"
 
+#include <functional>
+
 namespace Lixel {
 
-struct LightMemory;
+class CasterFingerprint;
 struct ShadowTarget;
 
 /// What to do with a map, and what its texture shows if it is drawn.
@@ -21,8 +23,10 @@ struct PlannedMap {
 
     @param shadowCamera placed by `fit`
     @param view the viewport that the viewer's picture is drawn in
+    @param readCasters called where it matters
 */
 PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
-                   const ShadowFit& fit, const ShadowTarget& target, LightMemory& memory);
+                   const ShadowFit& fit, const ShadowTarget& target,
+                   const std::function<const CasterFingerprint&()>& readCasters);
 
 } // namespace Lixel

@@ -7,6 +7,7 @@
 #include "scene/Identity.h"
 #include "scene/SceneWatch.h"
 #include "setup/DivisionMemory.h"
+#include "setup/LastingMap.h"
 #include "setup/LightNews.h"
 
 #include <array>
@@ -27,6 +28,8 @@ struct LightMemory {
     std::array<FitState, LightPartition::Capacity> states;
     /// Of each map.
     std::array<CasterVolume, LightPartition::Capacity> volumes;
+    /// Null until the setup's maps are to last.
+    std::array<std::unique_ptr<LastingMap>, LightPartition::Capacity> lasting;
     unsigned long lastFrame = 0;
 
     // Valid for one preparation of shadow textures: set for the light's first map.

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Lixel {
@@ -27,6 +28,25 @@ ConvexVolume viewVolume(const ShadowViewer& viewer) {
         }
     }
     return volume;
+}
+
+ShadowViewer widened(const ShadowViewer& viewer, double share) {
+    ShadowViewer wide = viewer;
+    if (!(share > 0.0)) return wide;
+    wide.clipFromView.topRows<2>() /= 1.0 + share;
+    // The depth at which a plane of view coordinates meets the view's axis.
+    const auto depthOf = [](const Vec4& plane) { return plane.w() / plane.z(); };
+    const Mat4 ahead = withDepthAhead(viewer.clipFromView);
+    const double nearDepth = depthOf((ahead.row(3) + ahead.row(2)).transpose());
+    const double farDepth = depthOf((ahead.row(3) - ahead.row(2)).transpose());
+    const bool perspective = ahead.row(3) == Vec4(0.0, 0.0, -1.0, 0.0).transpose();
+    if (perspective && nearDepth > 0.0) {
+        if (!(wide.shadowDistance > 0.0) && farDepth > nearDepth && std::isfinite(farDepth))
+            wide.shadowDistance = farDepth;
+        wide.clipFromView.row(2) = Vec4(0.0, 0.0, -1.0, -2.0 * nearDepth).transpose();
+    }
+    wide.shadowDistance *= 1.0 + share;
+    return wide;
 }
 
 Vec3 wsEyeOf(const ShadowViewer& viewer) {

@@ -15,6 +15,14 @@ ConvexVolume viewVolume(const ShadowViewer& viewer);
 /// Where the viewer is, in world axes relative to the problem's origin.
 Vec3 wsEyeOf(const ShadowViewer& viewer);
 
+/** A viewer that sees more, all around and farther away: what it will see after it has turned and
+    gone on a little.
+
+    @param share by which width, height and shadow distance grow; 0 for the viewer itself. A
+    perspective viewer without shadow distance gets that of its far plane, grown too.
+*/
+ShadowViewer widened(const ShadowViewer& viewer, double share);
+
 /// The projection with clip z growing away from the viewer: z is negated if it falls with depth
 /// (reversed Z). So the nearer of two points on a view ray always has the lesser z.
 Mat4 withDepthAhead(const Mat4& clipFromView);
