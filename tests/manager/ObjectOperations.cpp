@@ -8,6 +8,13 @@
 namespace Lixel::Tests {
 namespace {
 
+/// A batch draws an instance by what the camera that was told to it last made of it: this one, or the
+/// one before if OGRE comes to the batch first. So there is nothing to compare where that matters,
+/// for distances and listeners.
+bool isInstance(const ObjectEntry& entry) {
+    return dynamic_cast<const Ogre::InstancedEntity*>(entry.object) != nullptr;
+}
+
 std::string attachObject(World& world, Random& random) {
     ObjectEntry* object = anyObject(world, random);
     if (object == nullptr) return "";
@@ -33,12 +40,10 @@ std::string destroyObject(World& world, Random& random) {
     if (entry == nullptr) return "";
     const ObjectEntry object = *entry;
     world.forget(*object.object);
-    if (auto* instance = dynamic_cast<Ogre::InstancedEntity*>(object.object)) {
-        instance->setListener(nullptr); // it is kept for the next one
-        world.manager().destroyInstancedEntity(instance);
-    } else {
+    if (isInstance(object))
+        world.manager().destroyInstancedEntity(static_cast<Ogre::InstancedEntity*>(object.object));
+    else
         world.manager().destroyMovableObject(object.object);
-    }
     return "destroy " + object.name;
 }
 
@@ -64,7 +69,7 @@ std::string setFlags(World& world, Random& random) {
 
 std::string setDistance(World& world, Random& random) {
     ObjectEntry* object = anyObject(world, random);
-    if (object == nullptr) return "";
+    if (object == nullptr || isInstance(*object)) return "";
     const float distance = random.of({0.0f, 5.0f, 12.0f, 25.0f});
     if (random.oneIn(3)) {
         object->object->setRenderingMinPixelSize(distance / 10);
@@ -97,7 +102,7 @@ std::string castShadows(World& world, Random& random) {
 
 std::string listenToObject(World& world, Random& random) {
     ObjectEntry* object = anyObject(world, random);
-    if (object == nullptr) return "";
+    if (object == nullptr || isInstance(*object)) return "";
     const bool listens = random.oneIn(2);
     object->object->setListener(listens ? &world.heard : nullptr);
     return (listens ? "listen to " : "do not listen to ") + object->name;

@@ -53,19 +53,31 @@ protected:
 
     void _findVisibleObjects(Ogre::Camera* camera, Ogre::VisibleObjectsBoundsInfo* bounds,
                              bool onlyShadowCasters) override {
-        for (OwnBoxNode* node : mAllNodes) {
-            if (!node->isInSceneGraph() && mFault != Fault::LeftNodes) continue;
-            if (!isSeen(*node, *camera)) continue;
-            for (Ogre::MovableObject* object : node->getAttachedObjects()) {
-                show(*object, *camera, onlyShadowCasters, bounds);
-                if (mFault == Fault::SecondObjects) break;
-            }
-            if (getDebugDrawer() != nullptr && mFault != Fault::NoDebugDrawing)
-                getDebugDrawer()->drawSceneNode(node);
-        }
+        showTree(*getRootSceneNode(), *camera, onlyShadowCasters, bounds);
+        if (mFault != Fault::LeftNodes) return;
+        for (OwnBoxNode* node : mAllNodes)
+            if (!node->isInSceneGraph()) showNode(*node, *camera, onlyShadowCasters, bounds);
     }
 
 private:
+    void showTree(Ogre::SceneNode& node, Ogre::Camera& camera, bool onlyShadowCasters,
+                  Ogre::VisibleObjectsBoundsInfo* bounds) {
+        showNode(static_cast<OwnBoxNode&>(node), camera, onlyShadowCasters, bounds);
+        for (Ogre::Node* child : node.getChildren())
+            showTree(static_cast<Ogre::SceneNode&>(*child), camera, onlyShadowCasters, bounds);
+    }
+
+    void showNode(OwnBoxNode& node, Ogre::Camera& camera, bool onlyShadowCasters,
+                  Ogre::VisibleObjectsBoundsInfo* bounds) {
+        if (!isSeen(node, camera)) return;
+        for (Ogre::MovableObject* object : node.getAttachedObjects()) {
+            show(*object, camera, onlyShadowCasters, bounds);
+            if (mFault == Fault::SecondObjects) break;
+        }
+        if (getDebugDrawer() != nullptr && mFault != Fault::NoDebugDrawing)
+            getDebugDrawer()->drawSceneNode(&node);
+    }
+
     bool isSeen(const OwnBoxNode& node, const Ogre::Camera& camera) const {
         const Ogre::AxisAlignedBox& box =
             mFault == Fault::LateBoxes ? node.late : node._getWorldAABB();

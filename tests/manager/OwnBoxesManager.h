@@ -11,8 +11,8 @@ namespace Lixel::Tests {
 /** OGRE's own scene manager with CullingRule::OwnBoxes, in as few lines as possible: what a flat
     scene manager has to show, found by walking the scene graph.
 
-    A node's box is that of its own objects, and each node in the scene graph is asked alone. All
-    else is OGRE's. */
+    A node's box is that of its own objects, and each node in the scene graph is asked alone, in the
+    order of the graph. All else is OGRE's. */
 inline const std::string OwnBoxesManager = "OwnBoxesManager";
 
 /// Faults that a flat scene manager may have. A test of the tests sees each of them found.

@@ -27,8 +27,9 @@ public:
     PartNames(RenderableNames& names, const std::string& object) : mNames(names), mObject(object) {}
     void visit(Ogre::Renderable* renderable, Ogre::ushort level, bool isDebug,
                Ogre::Any*) override {
-        mNames[renderable] =
-            fmt::format("{}#{}.{}{}", mObject, level, mParts++, isDebug ? " debug" : "");
+        mNames[renderable] = {
+            fmt::format("{}#{}.{}{}", mObject, level, mParts++, isDebug ? " debug" : ""),
+            level == 0};
     }
 
 private:
@@ -86,14 +87,14 @@ private:
         std::string line;
         fmt::format_to(std::back_inserter(line),
                        "{} {} '{}'/{} at ({} {} {}) x{} {:x}, {} vertices {} indices", place,
-                       isKnown ? name->second : "OGRE's own",
+                       isKnown ? name->second.name : "OGRE's own",
                        pass.getParent()->getParent()->getName(), pass.getIndex(), matrix[0][3],
                        matrix[1][3], matrix[2][3], count,
                        hashOf(mMatrices.data(), mMatrices.size()),
                        operation.vertexData != nullptr ? operation.vertexData->vertexCount : 0,
                        operation.useIndexes ? operation.indexData->indexCount : 0);
         // OGRE's own debug lines are attached nowhere.
-        if (isKnown)
+        if (isKnown && name->second.hasDepth)
             fmt::format_to(std::back_inserter(line), ", depth {:a}",
                            renderable.getSquaredViewDepth(&mCamera));
         line += ", casts " + std::to_string(renderable.getCastsShadows()) + ", lights";

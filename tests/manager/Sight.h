@@ -24,8 +24,15 @@ struct Sight {
     std::string lights;
 };
 
-/// Renderables by name, for what belongs to a world's objects.
-using RenderableNames = std::unordered_map<const Ogre::Renderable*, std::string>;
+struct PartName {
+    std::string name;
+    /// Whether its depth is that in the camera that sees it. OGRE does not tell the parts of coarse
+    /// meshes of other cameras: they keep the depth in a camera that had the same address.
+    bool hasDepth;
+};
+
+/// What belongs to a world's objects.
+using RenderableNames = std::unordered_map<const Ogre::Renderable*, PartName>;
 
 /// The renderables of one of a world's objects, as "name#part".
 void addRenderables(RenderableNames& names, Ogre::MovableObject& object, const std::string& name);
