@@ -15,8 +15,8 @@ enum class CullingRule {
 /// The scene manager under test, by the name of its type, and the rule that it has to follow. By
 /// hand, the environment's LIXEL_CANDIDATE and LIXEL_RULE (merged or own) name others.
 struct Candidate {
-    std::string manager = "DefaultSceneManager";
-    CullingRule rule = CullingRule::MergedBoxes;
+    std::string manager = "LixelSceneManager";
+    CullingRule rule = CullingRule::OwnBoxes;
     /// Whether its queries answer as the default manager's. The octree's find cameras, too.
     bool answersAlike = true;
 };
