@@ -6,6 +6,8 @@
 #include <OgreMath.h>
 #include <OgreRoot.h>
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <vector>
 
@@ -43,11 +45,23 @@ private:
     std::vector<std::unique_ptr<Ogre::SceneManagerFactory>> mFactories;
 };
 
+std::unique_ptr<ManagerOgre> theOgre;
+
+/// Before the program's own end: Lixel's library has objects that end with it, and that it needs
+/// when Ogre::Root ends.
+class EndOgre : public testing::Environment {
+public:
+    void TearDown() override { theOgre.reset(); }
+};
+
+[[maybe_unused]] const testing::Environment* const theEnd =
+    testing::AddGlobalTestEnvironment(new EndOgre);
+
 } // namespace
 
 HeadlessOgre& ogreWithManagers() {
-    static ManagerOgre ogre;
-    return ogre;
+    if (theOgre == nullptr) theOgre = std::make_unique<ManagerOgre>();
+    return *theOgre;
 }
 
 } // namespace Lixel::Tests
