@@ -1,6 +1,10 @@
 // What is said to the scene manager as a whole.
 #include "Operation.h"
 
+#include <OgreAnimation.h>
+#include <OgreAnimationState.h>
+#include <OgreAnimationTrack.h>
+#include <OgreKeyFrame.h>
 #include <OgreRenderQueue.h>
 #include <OgreRenderQueueSortingGrouping.h>
 
@@ -102,10 +106,33 @@ std::string findOrNot(World& world, Random& random) {
     return finds ? "find visible objects" : "find nothing";
 }
 
+/// All of them end when a node is destroyed: OGRE's tracks do not know.
+std::string animateNode(World& world, Random& random) {
+    Ogre::SceneManager& manager = world.manager();
+    if (world.nodes.size() < 2) return "";
+    const NodeEntry& node = world.nodes[1 + random.below(world.nodes.size() - 1)];
+    if (manager.hasAnimation(node.name)) {
+        Ogre::AnimationState* state = manager.getAnimationState(node.name);
+        state->setEnabled(!random.oneIn(3));
+        state->setTimePosition(random.between(0, 1));
+        return "time of " + node.name;
+    }
+    Ogre::NodeAnimationTrack* track =
+        manager.createAnimation(node.name, 1)->createNodeTrack(0, node.node);
+    for (const float time : {0.0f, 1.0f}) {
+        Ogre::TransformKeyFrame* frame = track->createNodeKeyFrame(time);
+        frame->setTranslate(anyPlace(random, 5));
+        frame->setRotation(anyTurn(random));
+    }
+    node.node->setInitialState();
+    manager.createAnimationState(node.name)->setEnabled(true);
+    return "animate " + node.name;
+}
+
 } // namespace
 
 void addSceneOperations(Operations& all) {
-    all.insert(all.end(), {{"clear the scene", 2, clearAll},
+    all.insert(all.end(), {{"clear the scene", 1, clearAll},
                            {"mask the scene", 3, maskScene},
                            {"set the sky", 3, setSky},
                            {"draw boxes", 2, drawBoxes},
@@ -115,7 +142,8 @@ void addSceneOperations(Operations& all) {
                            {"skip queue groups", 2, skipGroups},
                            {"listen to the queue", 3, listenToQueue},
                            {"listen to levels", 2, listenToLevels},
-                           {"find visible objects or not", 2, findOrNot}});
+                           {"find visible objects or not", 2, findOrNot},
+                           {"animate a node", 4, animateNode}});
 }
 
 } // namespace Lixel::Tests

@@ -114,6 +114,7 @@ void World::add(Ogre::MovableObject& object, const std::string& name) {
 void World::forget(const Ogre::SceneNode& node) {
     std::erase_if(nodes, [&](const NodeEntry& entry) { return entry.node == &node; });
     if (tracker == &node) tracker = nullptr;
+    mManager->destroyAllAnimations();
 }
 
 void World::forget(const Ogre::MovableObject& object) {
