@@ -49,6 +49,7 @@ void makeShared() {
     square->getSubMesh(0)->setMaterialName("passes");
     Ogre::SubMesh* second = square->createSubMesh();
     second->useSharedVertices = true;
+    delete second->indexData;
     second->indexData = square->getSubMesh(0)->indexData->clone();
     second->setMaterialName("levels");
 }

@@ -15,7 +15,7 @@ constexpr std::size_t Steps = 250;
 /// For a long search by hand, the environment's LIXEL_WALKS asks for more.
 std::uint64_t walksOfATest() {
     const char* walks = std::getenv("LIXEL_WALKS");
-    return walks != nullptr ? std::strtoull(walks, nullptr, 10) : 25;
+    return walks != nullptr ? std::strtoull(walks, nullptr, 10) : 20;
 }
 
 Walk walkOf(std::uint64_t seed) {
