@@ -19,7 +19,7 @@ std::uint64_t walksUntilFound(Fault fault) {
 class Faults : public testing::TestWithParam<Fault> {};
 
 INSTANTIATE_TEST_SUITE_P(Fault, Faults, testing::ValuesIn(AllFaults),
-                         [](const auto& test) { return std::to_string(test.index); });
+                         [](const auto& test) { return testing::PrintToString(test.param); });
 
 TEST_P(Faults, AreFound) {
     EXPECT_GT(walksUntilFound(GetParam()), 0U);

@@ -8,9 +8,9 @@
 namespace Lixel::Tests {
 namespace {
 
-/// A batch draws an instance by what the camera that was told to it last made of it: this one, or the
-/// one before if OGRE comes to the batch first. So there is nothing to compare where that matters,
-/// for distances and listeners.
+/// A batch draws an instance by what the camera that was told to it last made of it: this one, or
+/// the one before if OGRE comes to the batch first. So there is nothing to compare where that
+/// matters, for distances and listeners.
 bool isInstance(const ObjectEntry& entry) {
     return dynamic_cast<const Ogre::InstancedEntity*>(entry.object) != nullptr;
 }

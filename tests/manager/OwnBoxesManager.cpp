@@ -120,6 +120,13 @@ private:
 
 } // namespace
 
+std::ostream& operator<<(std::ostream& out, Fault fault) {
+    constexpr std::array names{"None",      "SecondObjects",   "LeftNodes",
+                               "LateBoxes", "NoInfiniteBoxes", "NoNotification",
+                               "NoBounds",  "NoDebugDrawing",  "LooseFrustum"};
+    return out << names.at(static_cast<std::size_t>(fault));
+}
+
 std::string faultyManager(Fault fault) {
     return fault == Fault::None ? OwnBoxesManager
                                 : "FaultyManager" + std::to_string(static_cast<int>(fault));

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <ostream>
 #include <string>
 
 namespace Lixel::Tests {
@@ -27,6 +28,9 @@ enum class Fault {
     NoDebugDrawing,  ///< nodes' axes and boxes are not drawn
     LooseFrustum,    ///< what touches the bounding sphere of the frustum is in it
 };
+
+/// For the names of tests.
+std::ostream& operator<<(std::ostream& out, Fault fault);
 
 /// The type's name of a scene manager with a fault, else as OwnBoxesManager.
 std::string faultyManager(Fault fault);

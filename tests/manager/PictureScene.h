@@ -51,7 +51,7 @@ public:
 
     /// Writes a picture where the environment's LIXEL_PICTURES names a folder, to be looked at.
     static void keep(const Picture& picture, const std::string& name);
-    /// The next frame, an even time after the one before: moves everything that moves, and shows it.
+    /// The next frame, an even time after the one before: moves what moves, and shows it.
     Picture draw();
 
     Ogre::Camera* camera = nullptr;

@@ -10,8 +10,8 @@ namespace Lixel::Tests {
 
 inline const std::string ProbeType = "Probe";
 
-/// An object of an application's own class: its bounds are what one likes, and what it queues has no
-/// vertices.
+/// An object of an application's own class: its bounds are what one likes, and what it queues has
+/// no vertices.
 class Probe : public Ogre::SimpleRenderable {
 public:
     explicit Probe(const Ogre::String& name);

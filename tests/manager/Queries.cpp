@@ -101,8 +101,8 @@ private:
 } // namespace
 
 std::vector<std::string> answers(World& world, Random random) {
-    // OGRE asks spheres that are as old as the last frame that showed the object, if ever one did. A
-    // scene manager may know better.
+    // OGRE asks spheres that are as old as the last frame that showed the object, if ever one did.
+    // A scene manager may know better.
     for (const ObjectEntry& entry : world.objects)
         if (entry.object->isAttached()) entry.object->getWorldBoundingSphere(true);
     Asker asker(world, random);

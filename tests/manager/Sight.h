@@ -15,8 +15,8 @@ namespace Lixel::Tests {
 /// What one camera was shown in one pass, as text.
 struct Sight {
     std::string camera;
-    /// Each renderable in the queue with its group, priority, pass, place, depth and lights. Sorted:
-    /// a scene manager may find objects in any order.
+    /// Each renderable in the queue with its group, priority, pass, place, depth and lights.
+    /// Sorted: a scene manager may find objects in any order.
     std::vector<std::string> queued;
     /// VisibleObjectsBoundsInfo of the camera, to the last bit.
     std::string bounds;

@@ -75,9 +75,9 @@ public:
     /// Forgets the names of what is no more: the next thing may have its address.
     void nameAll();
 
-    /** While one lives, something happens in the world: to be made around all that OGRE is asked to do
-        there. OGRE has one list of queued updates for all scene managers, which whichever is drawn
-        first works off; here, each world has its own. */
+    /** While one lives, something happens in the world: to be made around all that OGRE is asked to
+        do there. OGRE has one list of queued updates for all scene managers, which whichever is
+        drawn first works off; here, each world has its own. */
     class Turn {
     public:
         explicit Turn(World& world);
