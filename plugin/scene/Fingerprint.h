@@ -9,9 +9,8 @@ namespace Lixel {
 
 /** A number of 128 bits that stands for all values added to it, in their order.
 
-    Two that are equal were made of the same values, for all practical purposes: each half is a
-    chain of bijections, so a single different value always makes a different number, and several
-    do but for one chance in 2¹²⁸.
+    Each half is a chain of bijections, so that one different value always makes a different number.
+    Several make the same one with a chance of one in 2¹²⁸.
 */
 class Fingerprint {
 public:

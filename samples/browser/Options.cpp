@@ -76,6 +76,10 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
     app.add_option("--stats", options.stats, "File for times and errors, JSON (headless)");
     app.add_option("--comparison", options.comparison,
                    "PNG of errors against exact shadows: red acne, blue leak (headless)");
+    app.add_option("--manager", options.manager,
+                   "Type of the scene manager: LixelSceneManager, or one of OGRE's");
+    app.add_flag("--proof", options.proof,
+                 "Draw maps that could be kept, and compare them with what was kept");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

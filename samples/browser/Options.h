@@ -29,6 +29,8 @@ struct BrowserOptions {
     std::string output;
     std::string stats;
     std::string comparison;
+    std::string manager; ///< type of the scene manager; empty for OGRE's default one
+    bool proof = false;
 };
 
 /** Parses the command line.

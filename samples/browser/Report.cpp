@@ -1,6 +1,7 @@
 #include "browser/Report.h"
 
 #include <Lixel/scene/OgreVersions.h>
+#include <Lixel/setup/MapPlan.h>
 
 #include <OgreGpuProgram.h>
 #include <OgreImage.h>
@@ -45,6 +46,7 @@ void savePicture(const std::vector<std::uint8_t>& rgb, int width, int height,
 }
 
 void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& options) {
+    if (options.proof) setProofMode(true, [&stage] { stage.finish(); });
     Measurement measured = measureFrames(stage, options.frames);
     const std::vector<std::uint8_t> picture = stage.picture();
     const Programs programs = countPrograms();
@@ -54,6 +56,11 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
     ShadowTruth truth;
     measured.error = measureError(stage, oracle, scene.shadowDistance, &visibility, &truth);
 
+    if (options.proof) {
+        const ProofCount proof = proofCount();
+        fmt::print("proof: {} maps that could be kept were drawn and compared, {} were different\n",
+                   proof.maps, proof.different);
+    }
     const std::string setup = options.setup.empty() ? stage.preset() : options.setup;
     if (!options.output.empty())
         savePicture(picture, options.width, options.height, options.output);
@@ -80,6 +87,10 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
             {"caster_ms", measured.casterMilliseconds},
             {"receiver_ms", measured.receiverMilliseconds},
             {"frame_ms", measured.frameMilliseconds},
+            {"still_frame_ms", measured.stillFrameMilliseconds},
+            {"maps_drawn", measured.mapsDrawn},
+            {"maps_reused", measured.mapsReused},
+            {"maps_skipped", measured.mapsSkipped},
             {"reason", measured.reason},
             {"programs", programs.known},
             {"programs_used", programs.used},

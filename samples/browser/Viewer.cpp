@@ -2,6 +2,7 @@
 
 #include "browser/Report.h"
 #include "common/FileWatch.h"
+#include "common/PlanCounts.h"
 
 #include <Lixel/reload/Reload.h>
 
@@ -24,6 +25,9 @@ namespace {
 constexpr float RadiansPerPixel = 0.0035F;
 /// Flying crosses the shadow distance in this many seconds.
 constexpr float SecondsAcross = 20.0F;
+
+/// Between two lines about maps in the title.
+constexpr std::chrono::milliseconds TitleInterval(500);
 
 /// Between two looks at the files of scripts and shaders.
 constexpr std::chrono::milliseconds WatchInterval(250);
@@ -67,7 +71,9 @@ public:
             fly(std::chrono::duration<float>(now - last).count());
             last = now;
             readEdits(now);
+            mPlans.clear();
             mStage.drawFrame();
+            showPlans(now);
         }
     }
 
@@ -197,10 +203,22 @@ private:
         showTitle();
     }
 
+    /// Says in the title what was done with the frame's maps.
+    void showPlans(std::chrono::steady_clock::time_point now) {
+        if (now < mNextTitle) return;
+        mNextTitle = now + TitleInterval;
+        std::string text = fmt::format("maps: {} drawn, {} kept, {} empty", mPlans.drawn,
+                                       mPlans.reused, mPlans.skipped);
+        if (!mPlans.reason.empty()) text += " (" + mPlans.reason + ")";
+        if (text == mPlanText) return;
+        mPlanText = text;
+        showTitle();
+    }
+
     void showTitle() {
-        const std::string scene =
-            fmt::format("Lixel - {} - {} - {}", mScene.name, mScene.views[mView].name,
-                        mStage.preset().empty() ? shadowSetups()[mSetup].title : mStage.preset());
+        const std::string scene = fmt::format(
+            "Lixel - {} - {} - {} - {}", mScene.name, mScene.views[mView].name,
+            mStage.preset().empty() ? shadowSetups()[mSetup].title : mStage.preset(), mPlanText);
         glfwSetWindowTitle(mStage.glfwWindow(),
                            mError.empty() ? scene.c_str() : ("Error: " + mError).c_str());
     }
@@ -214,6 +232,9 @@ private:
     /// By resource groups.
     std::map<std::string, FileWatch> mWatches;
     std::chrono::steady_clock::time_point mNextWatch;
+    PlanCounts mPlans;
+    std::string mPlanText;
+    std::chrono::steady_clock::time_point mNextTitle;
     std::string mError; ///< the first of the last edit
     double mMouseX = 0.0;
     double mMouseY = 0.0;

@@ -65,7 +65,10 @@ int run(const BrowserOptions& options) {
         return 1;
     }
     WarningPrinter printer; // outlives the log
-    Stage stage({.headless = options.headless, .width = options.width, .height = options.height});
+    Stage stage({.headless = options.headless,
+                 .width = options.width,
+                 .height = options.height,
+                 .sceneManagerType = options.manager});
     Ogre::LogManager::getSingleton().getDefaultLog()->addListener(&printer);
     try {
         return show(stage, options);

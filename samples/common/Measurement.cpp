@@ -1,5 +1,7 @@
 #include "common/Measurement.h"
 
+#include "common/PlanCounts.h"
+
 #include "common/Median.h"
 #include "common/OracleView.h"
 
@@ -78,6 +80,7 @@ Measurement measureFrames(Stage& stage, int frames) {
     std::vector<double> survey, fit, caster, receiver, frame;
     for (int i = 0; i < frames; ++i) {
         work.beginFrame();
+        redrawShadowMaps();
         const double begin = clock.now();
         stage.drawFrame();
         const double total = clock.now() - begin;
@@ -87,7 +90,21 @@ Measurement measureFrames(Stage& stage, int frames) {
         receiver.push_back(total - work.caster - 1e-3 * (work.survey + work.fit));
         frame.push_back(total);
     }
+    // One to come to rest.
+    stage.drawFrame();
+    std::vector<double> still;
+    PlanCounts plans;
+    for (int i = 0; i < frames; ++i) {
+        plans.clear();
+        const double begin = clock.now();
+        stage.drawFrame();
+        still.push_back(clock.now() - begin);
+    }
     Measurement result;
+    result.stillFrameMilliseconds = median(still);
+    result.mapsDrawn = plans.drawn;
+    result.mapsReused = plans.reused;
+    result.mapsSkipped = plans.skipped;
     result.surveyMicroseconds = median(survey);
     result.fitMicroseconds = median(fit);
     result.casterMilliseconds = median(caster);

@@ -15,10 +15,17 @@ struct Measurement {
     double casterMilliseconds = 0.0;
     double receiverMilliseconds = 0.0;
     double frameMilliseconds = 0.0;
+    /// Of a frame in which nothing has changed, so that maps may be reused.
+    double stillFrameMilliseconds = 0.0;
+    // What is done with the maps of such a frame.
+    std::size_t mapsDrawn = 0;
+    std::size_t mapsReused = 0;
+    std::size_t mapsSkipped = 0;
     std::string reason; ///< what kept the fit from its ideal, "none" where nothing did
 };
 
-/** Draws `frames` frames (>= 1) after one to warm up, and times them.
+/** Draws `frames` frames (>= 1) after one to warm up, and times them, with all maps drawn anew in each;
+    then as many in which nothing changes.
 
     On a software renderer the clock is the process' CPU time around glFinish, which counts the
     renderer's threads too; on a GPU it is the wall clock.

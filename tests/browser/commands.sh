@@ -36,7 +36,8 @@ for setup in $(sed -n '/^Setups:/,$s/^  //p' list); do
         --light 170,30 --view 2 --output "$setup.png" --stats "$setup.json" >/dev/null
     [ -s "$setup.png" ] || fail "no picture with $setup"
     for key in sample setup map width height error_percent acne_percent leak_percent survey_us \
-        fit_us caster_ms receiver_ms frame_ms reason programs programs_used gl_renderer; do
+        fit_us caster_ms receiver_ms frame_ms still_frame_ms maps_drawn maps_reused maps_skipped \
+        reason programs programs_used gl_renderer; do
         grep -q "\"$key\": " "$setup.json" || fail "no $key in the statistics of $setup"
     done
 done
@@ -47,6 +48,13 @@ done
     sed -n '/^| setup | option | values |/,/^$/p' "$readme"
     sed -n '/^| keyword | values |/,/^$/{/^|/p}' "$readme"
 } | cmp - options || fail "the README's tables of options are not what --options prints"
+
+# A still picture's map is kept, in Lixel's scene manager too, and is what would be drawn.
+"$browser" --headless --sample field --manager LixelSceneManager --proof --map 128 --size 160x120 \
+    --frames 4 --stats still.json >proof
+grep -q '"maps_reused": 1' still.json || fail "the map of a still picture is drawn again"
+grep -Eq '^proof: [1-9][0-9]* maps .*, 0 were different$' proof || fail "proof: $(cat proof)"
+refuses 1 "NoSuchManager" --headless --manager NoSuchManager
 
 # Where Lixel is built with OGRE's shader system. Without --setup its lights have presets.
 if grep -qxF '  garden' list; then

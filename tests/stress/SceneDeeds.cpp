@@ -11,7 +11,8 @@ constexpr auto LightTypes = {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLI
 
 std::string createSceneManager(Application& application, World&, Random& random) {
     if (application.worlds.size() == MostWorlds) return {};
-    World& world = application.addWorld(random.oneIn(2) ? "" : "OctreeSceneManager");
+    World& world = application.addWorld(
+        random.of({"", "OctreeSceneManager", "LixelSceneManager", "LixelSceneManager"}));
     for (const std::string& mesh : Application::meshes())
         application.addBody(world, mesh);
     Lamp* const lamp = application.addLamp(world, application.newName("Light"));

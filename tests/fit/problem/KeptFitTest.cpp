@@ -61,7 +61,7 @@ TEST_P(KeptFits, ALargerMapIsCoarserByItsSides) {
 
 TEST_P(KeptFits, ASmallerMapDoesNotCover) {
     // A stable map is as large as the view needs in any direction.
-    const double share = GetParam().name == "Uniform_stable" ? 4.0 : 1.01;
+    const double share = GetParam().name == "Uniform_stable" ? 16.0 : 1.01;
     forAnyMap([&](const ShadowFit& fit) {
         return !compareFits(withSides(fit, share), fit, Vec3::Zero()).covers;
     });

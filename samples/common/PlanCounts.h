@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Lixel/setup/MapPlan.h>
+#include <Lixel/setup/ShadowMapObserver.h>
+
+namespace Lixel::Samples {
+
+/// Counts what is done with shadow maps, while it lives.
+class PlanCounts : public ShadowMapObserver {
+public:
+    PlanCounts() { addShadowMapObserver(*this); }
+    ~PlanCounts() override { removeShadowMapObserver(*this); }
+    PlanCounts(const PlanCounts&) = delete;
+    PlanCounts& operator=(const PlanCounts&) = delete;
+
+    void shadowMapFitted(const ShadowMap& map) override {
+        switch (map.decision.plan) {
+        case MapPlan::Draw:
+            ++drawn;
+            reason = toString(map.decision.reason);
+            if (!map.decision.name.empty()) reason += ": " + map.decision.name;
+            break;
+        case MapPlan::Reuse:
+            ++reused;
+            break;
+        case MapPlan::Skip:
+            ++skipped;
+            break;
+        }
+    }
+    void clear() {
+        drawn = reused = skipped = 0;
+        reason.clear();
+    }
+
+    std::size_t drawn = 0;
+    std::size_t reused = 0;
+    std::size_t skipped = 0;
+    /// Why the last one was drawn.
+    std::string reason;
+};
+
+} // namespace Lixel::Samples
