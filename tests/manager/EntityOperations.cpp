@@ -85,12 +85,15 @@ std::string queuePart(World& world, Random& random) {
     return "queue group of a part of " + entity.name;
 }
 
+/// A finest level is only asked for where there are several: OGRE takes it for the level of meshes
+/// that have one.
 std::string biasLevels(World& world, Random& random) {
     const Found<Ogre::Entity> entity = anyOfType<Ogre::Entity>(world, random);
     if (!entity) return "";
     const float factor = random.of({0.3f, 1.0f, 3.0f});
+    const bool hasLevels = entity->getMesh()->getNumLodLevels() > 1;
     if (random.oneIn(2))
-        entity->setMeshLodBias(factor, random.of<Ogre::ushort>({0, 1}));
+        entity->setMeshLodBias(factor, hasLevels ? random.of<Ogre::ushort>({0, 1}) : 0);
     else
         entity->setMaterialLodBias(factor);
     return "level of detail of " + entity.name;

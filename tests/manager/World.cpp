@@ -88,6 +88,9 @@ void World::mendViews() {
             add(*node, newName("viewer"));
         }
         view.node = view.camera->getParentSceneNode();
+        // Outside of the scene graph OGRE updates it when it is first asked, for levels of detail
+        // maybe, which a scene manager may do without; and lights beside it move then.
+        if (!view.node->isInSceneGraph()) view.camera->getDerivedPosition();
     }
 }
 
