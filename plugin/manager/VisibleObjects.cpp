@@ -153,6 +153,9 @@ void VisibleObjects::queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
             for (Ogre::MovableObject* object : node.getAttachedObjects())
                 queue.processVisibleObject(object, &camera, onlyShadowCasters, bounds);
             plain = PlainEntity(only, attachment);
+            // When its materials have no levels any more, OGRE's way sets it back to the finest.
+            if (plain.entity() != nullptr && !hasPlainMaterials(*plain.entity()))
+                plain = PlainEntity();
         }
         if (drawsNodes || (drawer != nullptr && node.getShowBoundingBox()))
             drawer->drawSceneNode(&node);
