@@ -25,6 +25,8 @@ LixelSceneNode::~LixelSceneNode() {
 
 void LixelSceneNode::attachObject(Ogre::MovableObject* object) {
     SceneNode::attachObject(object);
+    // At once: OGRE updates nodes by their addresses, and what is drawn first is not to depend on it.
+    if (mSlot == NodeStore::NoSlot) mSlot = mStore->add(*this);
     noteObjects();
 }
 
@@ -76,10 +78,6 @@ void LixelSceneNode::_updateBounds() {
                    "until it has");
     }
     mReported = !placed;
-    if (mSlot == NodeStore::NoSlot) {
-        mSlot = mStore->add(*this);
-        noteObjects();
-    }
     const Ogre::MovableObject* const only = mStore->onlyObject(mSlot);
     mStore->set(mSlot, mWorldAABB,
                 placed && only != nullptr ? only->getWorldBoundingSphere(true) : Ogre::Sphere());

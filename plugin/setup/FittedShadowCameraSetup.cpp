@@ -373,7 +373,7 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowFi
     else if (isProofMode())
         proveShadowPass(request.shadowCamera, volume, *planned.content, target);
     else
-        keepShadowPass(request.shadowCamera);
+        keepShadowPass(request.shadowCamera, volume);
     return std::move(planned.decision);
 }
 

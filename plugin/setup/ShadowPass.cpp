@@ -209,12 +209,13 @@ void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target) {
         clear();
         proveMap(*target.texture, kept);
     }
-    keepShadowPass(shadowCamera);
-}
-
-void keepShadowPass(Ogre::Camera& shadowCamera) {
     shadowCamera.getViewport()->setAutoUpdated(false);
     listener().arm(shadowCamera, nullptr, std::nullopt);
+}
+
+void keepShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum) {
+    shadowCamera.getViewport()->setAutoUpdated(false);
+    listener().arm(shadowCamera, &cullingFrustum, std::nullopt);
 }
 
 const MapContent* contentOf(const ShadowTarget& target) {

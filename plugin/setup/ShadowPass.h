@@ -44,8 +44,8 @@ std::vector<ShadowTarget> shadowTargetsFrom(const Ogre::Camera& camera,
 /// No caster is drawn into the texture, which is cleared to "lit" if it is not known to be.
 void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target);
 
-/// The texture keeps what it shows.
-void keepShadowPass(Ogre::Camera& shadowCamera);
+/// The texture keeps what it shows. The camera has its culling frustum as if it were drawn.
+void keepShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
 
 /// What the texture shows. Null where it is new, was made anew, or something else has been drawn
 /// into it since.

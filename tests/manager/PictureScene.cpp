@@ -1,4 +1,5 @@
 #include "PictureScene.h"
+#include "setup/MeshPreparation.h"
 
 #include <OgreFrameListener.h>
 #include <OgreHardwarePixelBuffer.h>
@@ -12,6 +13,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 
 namespace Lixel::Tests {
 namespace {
@@ -45,6 +47,8 @@ void loadMaterials() {
 PictureScene::PictureScene(HeadlessOgre& ogre, const std::string& managerType,
                            const Vector3& origin)
     : mOgre(ogre), mManager(*ogre.root().createSceneManager(managerType)) {
+    // The first scene of a process would have its shapes later than the others.
+    setMeshReadingTime(std::numeric_limits<Ogre::Real>::infinity());
     loadMaterials();
     mPlace = mManager.getRootSceneNode()->createChildSceneNode(origin);
     mManager.setAmbientLight(Ogre::ColourValue(0.2f, 0.2f, 0.2f));

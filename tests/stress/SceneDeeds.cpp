@@ -6,13 +6,15 @@ namespace Lixel::Tests {
 namespace {
 
 constexpr std::size_t MostWorlds = 3;
+constexpr const char* FlatManager = "LixelSceneManager";
 constexpr auto LightTypes = {Ogre::Light::LT_DIRECTIONAL, Ogre::Light::LT_SPOTLIGHT,
                              Ogre::Light::LT_POINT};
 
 std::string createSceneManager(Application& application, World&, Random& random) {
     if (application.worlds.size() == MostWorlds) return {};
-    World& world = application.addWorld(
-        random.of({"", "OctreeSceneManager", "LixelSceneManager", "LixelSceneManager"}));
+    // Lixel's own is there while the plugin is.
+    const char* const flat = application.pluginLoaded ? FlatManager : "";
+    World& world = application.addWorld(random.of({"", "OctreeSceneManager", flat, flat}));
     for (const std::string& mesh : Application::meshes())
         application.addBody(world, mesh);
     Lamp* const lamp = application.addLamp(world, application.newName("Light"));
@@ -169,6 +171,9 @@ std::string observe(Application&, World&, Random& random) {
 }
 
 std::string loadPlugin(Application& application, World&, Random& random) {
+    // Its scene managers would go with it.
+    for (const auto& world : application.worlds)
+        if (world->manager->getTypeName() == FlatManager) return {};
     application.loadPlugin(!random.oneIn(4));
     return application.pluginLoaded ? "loaded" : "unloaded";
 }
