@@ -13,7 +13,7 @@ namespace Lixel {
 */
 class LixelSceneNode : public Ogre::SceneNode {
 public:
-    /// @param store shared, because OGRE destroys nodes after the scene manager that derives from it
+    /// @param store shared: OGRE destroys nodes after the scene manager that is derived from it
     LixelSceneNode(Ogre::SceneManager& creator, std::shared_ptr<NodeStore> store)
         : SceneNode(&creator), mStore(std::move(store)) {}
     LixelSceneNode(Ogre::SceneManager& creator, const Ogre::String& name,

@@ -15,8 +15,8 @@
 namespace Lixel {
 namespace {
 
-/// How many nodes ahead memory is asked for, which comes from all over the heap: an entity, after it
-/// the list of its parts, and after that the parts.
+/// How many nodes ahead memory is asked for, which comes from all over the heap: an entity, then the
+/// list of its parts, then the parts.
 constexpr std::size_t EntitiesAhead = 12;
 constexpr std::size_t ListsAhead = 8;
 constexpr std::size_t PartsAhead = 4;
@@ -69,7 +69,7 @@ public:
           mBounds(bounds),
           mOnlyShadowCasters(onlyShadowCasters),
           mMask(currentMask()),
-          // An object's group and priority begin as these; OGRE does not tell whether they were set.
+          // An object's group and priority begin as these; OGRE does not say whether they were set.
           mStandard(queue.getDefaultQueueGroup() == Ogre::RENDER_QUEUE_MAIN &&
                     queue.getDefaultRenderablePriority() == StandardPriority) {}
 

@@ -317,7 +317,7 @@ struct LodListenersAccess {
 auto& lodListenersOf(const Ogre::SceneManager& manager);
 template struct LodListenersAccess<&Ogre::SceneManager::mLodListeners>;
 
-/// A scene manager's listeners of its render queue and of what it draws, which are private since 14.
+/// A scene manager's listeners of its render queue and of what it draws; they are private since 14.
 template <auto QueueListeners, auto ObjectListeners>
 struct RenderListenersAccess {
     friend auto& queueListenersOf(const Ogre::SceneManager& manager) {

@@ -24,8 +24,8 @@ struct Measurement {
     std::string reason; ///< what kept the fit from its ideal, "none" where nothing did
 };
 
-/** Draws `frames` frames (>= 1) after one to warm up, and times them, with all maps drawn anew in each;
-    then as many in which nothing changes.
+/** Draws `frames` frames (>= 1) after one to warm up, and times them, with all maps drawn anew; then
+    as many in which nothing changes.
 
     On a software renderer the clock is the process' CPU time around glFinish, which counts the
     renderer's threads too; on a GPU it is the wall clock.

@@ -83,7 +83,7 @@ std::string changeChain(World& world, Random& random) {
 }
 
 /// One at a time: OGRE updates particle systems in the order of their addresses, and by that order
-/// updates a node, of which it tells listeners, once or twice.
+/// updates a node, and tells listeners, once or twice.
 std::string createParticles(World& world, Random& random) {
     if (!hasRoom(world) || anyOfType<Ogre::ParticleSystem>(world, random)) return "";
     const std::string name = world.newName("particles");

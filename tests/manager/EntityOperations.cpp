@@ -113,7 +113,7 @@ std::string reloadMesh(World&, Random&) {
     return "reload";
 }
 
-/// Whoever does it has the entities' nodes updated: OGRE does not.
+/// Those who do it have the entities' nodes updated: OGRE does not.
 std::string changeBounds(World& world, Random& random) {
     const float half = random.of({0.5f, 0.5f, 3.0f});
     const Ogre::MeshPtr mesh =

@@ -44,7 +44,7 @@ struct FrameRecord {
 
 /** A scene of one scene manager that operations change, beside another one that goes through the
     same. Its entries are the same in both, in the same order; what OGRE destroys on the way is
-    taken off by whoever has it destroyed.
+    taken off by those who have it destroyed.
 
     It is drawn into a texture of its own, by several cameras, without drawing anything: the render
     queue is found, sorted, looked at and skipped. */

@@ -7,11 +7,11 @@
 namespace Lixel {
 namespace {
 
-/// How far the fresh focus region may reach beyond the kept map, of which half a side is 1. That is
-/// a twentieth of a texel of a map of 1024; the region holds a whole texel more than filters reach.
+/// How far the fresh focus region may reach beyond the kept map, in half sides of the map. That is a
+/// twentieth of a texel of a map of 1024; the region holds a whole texel more than filters reach.
 constexpr double EdgeSlack = 1e-4;
 
-/// How far a depth may be beyond the kept range, of which it is 0 to 1: float rounding of depths.
+/// How far a depth may be beyond the kept range, which is 0 to 1: float rounding of depths.
 constexpr double DepthSlack = 1e-6;
 
 /// A point on the light ray q of a fit's image, relative to its origin.

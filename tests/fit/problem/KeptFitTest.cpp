@@ -10,7 +10,7 @@ using namespace Lixel::Test;
 
 namespace {
 
-/// The same map, of which a window around the middle is shown: 1 / share of each side.
+/// The same map, but showing a window around the middle alone: 1 / share of each side.
 ShadowFit withSides(ShadowFit fit, double share) {
     fit.clipFromWorld.topRows<2>() *= share;
     fit.clipFromLight.topRows<2>() *= share;
