@@ -39,9 +39,6 @@ public:
     void _findVisibleObjects(Ogre::Camera* camera, Ogre::VisibleObjectsBoundsInfo* visibleBounds,
                              bool onlyShadowCasters) override;
 
-    /// The bounds that it keeps.
-    const NodeStore& store() const { return *mStore; }
-
 private:
     Ogre::SceneNode* createSceneNodeImpl() override;
     Ogre::SceneNode* createSceneNodeImpl(const Ogre::String& name) override;

@@ -29,9 +29,6 @@ public:
     void queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
                Ogre::VisibleObjectsBoundsInfo* bounds, bool onlyShadowCasters);
 
-    /// The nodes found.
-    const std::vector<NodeStore::Slot>& found() const { return mSearch.found; }
-
 private:
     void fetchAhead(std::size_t position) const;
 

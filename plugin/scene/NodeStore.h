@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/geometry/Types.h"
+#include "scene/BoxBlock.h"
 #include "scene/NodeCuller.h"
 
 #include <algorithm>
@@ -114,16 +115,13 @@ public:
     std::size_t blockCount() const { return mBlocks.size(); }
     /// Blocks that a volume's border cuts, whose boxes a search compares, for statistics.
     std::size_t cutBlocks(const NodeCuller& volume) const;
-    /// Memory in use for the nodes' places and boxes, in bytes.
-    std::size_t memory() const;
 
 private:
-    struct Block;
     struct Place {
         Ogre::SceneNode* node = nullptr;
         Ogre::MovableObject* object = nullptr;
         /// Null where the box is null or has no bounds.
-        Block* block = nullptr;
+        BoxBlock* block = nullptr;
         /// Within the block, or in mUnbounded.
         std::uint32_t index = 0;
         std::uint32_t attachment = 0;
@@ -133,19 +131,19 @@ private:
     };
 
     void takeAway(Slot slot);
-    void insert(Slot slot, std::uint64_t key, const float* centre, const float* halfExtents);
+    void insert(Slot slot, std::uint64_t key, const FlatBox& box);
     void split(std::size_t position);
-    void join(const Block& block);
+    void join(const BoxBlock& block);
     std::size_t positionOf(std::uint64_t key) const;
-    std::size_t positionOf(const Block& block) const;
+    std::size_t positionOf(const BoxBlock& block) const;
 
     std::vector<Place> mPlaces;
     std::vector<Slot> mFree;
     std::vector<Slot> mUnbounded;
     /// Sorted by the keys that they begin with, which mFirstKeys repeats.
-    std::vector<std::unique_ptr<Block>> mBlocks;
+    std::vector<std::unique_ptr<BoxBlock>> mBlocks;
     std::vector<std::uint64_t> mFirstKeys;
-    std::vector<Block*> mLoose;
+    std::vector<BoxBlock*> mLoose;
     std::size_t mSize = 0;
 };
 
