@@ -1,5 +1,7 @@
 #include "material/DrawnPass.h"
 
+#include "scene/CasterPass.h"
+
 #include <OgreEntity.h>
 #include <OgreGpuProgram.h>
 #include <OgreInstanceBatch.h>
@@ -64,7 +66,7 @@ bool isOfTerrain(const Ogre::Pass& pass) {
 
 bool isLeftUnplaced(const Ogre::Pass& pass, Ogre::Renderable& renderable) {
     return dynamic_cast<Ogre::InstanceBatch*>(&renderable) != nullptr && pass.hasVertexProgram() &&
-           Ogre::StringUtil::startsWith(pass.getVertexProgramName(), "Lixel/", false);
+           isOwnProgram(pass.getVertexProgramName());
 }
 
 bool lacksPrograms(const Ogre::Pass& pass) {

@@ -7,6 +7,7 @@
 #include "material/ProgramCheck.h"
 #include "material/QueuedPasses.h"
 #include "material/UnitCheck.h"
+#include "scene/CasterPass.h"
 #include "scene/Log.h"
 #include "scene/OgreVersions.h"
 
@@ -170,7 +171,7 @@ void MaterialCheck::checkPrograms(const Ogre::Pass& pass) {
     const auto check = [&](const std::string& program,
                            const Ogre::GpuProgramParametersSharedPtr& parameters) {
         const std::vector<std::string> wrongs = findWrongBindings(*parameters);
-        if (!wrongs.empty() && Ogre::StringUtil::startsWith(program, "Lixel/", false))
+        if (!wrongs.empty() && isOwnProgram(program))
             return say("Lixel's own programs lack what the plugin makes: its scripts were read "
                        "before it was loaded (Root::loadPlugin comes before "
                        "initialiseAllResourceGroups), or are not this version's");

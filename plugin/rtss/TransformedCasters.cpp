@@ -3,6 +3,7 @@
 #include "rtss/ShadowUnits.h"
 #include "rtss/VertexTransform.h"
 
+#include <Lixel/scene/CasterPass.h>
 #include <Lixel/scene/OgreVersions.h>
 
 #include <OgreGpuProgramManager.h>
@@ -20,13 +21,6 @@ namespace {
 const char* const PlainCaster = "Lixel/Caster";
 /// Programs that begin with Lixel/ count as ones that place no instances.
 const char* const ProgramPrefix = "LixelPlaced/";
-
-/// Whether OGRE has a pass's texture cut holes into the pass's shadow.
-bool cutsHoles(const Ogre::Pass& pass) {
-    return pass.getAlphaRejectFunction() != Ogre::CMPF_ALWAYS_PASS ||
-           (pass.getSourceBlendFactor() == Ogre::SBF_SOURCE_ALPHA &&
-            pass.getDestBlendFactor() == Ogre::SBF_ONE_MINUS_SOURCE_ALPHA);
-}
 
 /// What passes have in common that can share a caster, beside how they are transformed.
 std::string surfaceNameOf(const Ogre::Pass& pass) {

@@ -1,9 +1,10 @@
 #include "scene/CasterFingerprint.h"
 
+#include "scene/CasterPass.h"
+#include "scene/MeshBuffers.h"
 #include "scene/PlainEntity.h"
 
 #include <OgreHardwareVertexBuffer.h>
-#include <OgrePass.h>
 #include <OgreSceneNode.h>
 #include <OgreSubMesh.h>
 #include <OgreTechnique.h>
@@ -15,15 +16,8 @@ namespace {
 
 /// Whether shadow casters drawn for this pass are whole bodies in OGRE's caster material.
 bool drawsWhole(const Ogre::Pass& pass) {
-    const bool blended = pass.getSourceBlendFactor() == Ogre::SBF_SOURCE_ALPHA &&
-                         pass.getDestBlendFactor() == Ogre::SBF_ONE_MINUS_SOURCE_ALPHA;
-    return !blended && pass.getAlphaRejectFunction() == Ogre::CMPF_ALWAYS_PASS &&
-           pass.getShadowCasterVertexProgramName().empty() &&
+    return !cutsHoles(pass) && pass.getShadowCasterVertexProgramName().empty() &&
            pass.getShadowCasterFragmentProgramName().empty();
-}
-
-bool isStaticBuffer(const Ogre::HardwareBuffer* buffer) {
-    return buffer != nullptr && (buffer->getUsage() & Ogre::HardwareBuffer::HBU_DYNAMIC) == 0;
 }
 
 bool isStaticData(const Ogre::VertexData* data) {

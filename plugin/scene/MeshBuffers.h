@@ -2,6 +2,7 @@
 
 #include "fit/geometry/Types.h"
 
+#include <OgreHardwareBuffer.h>
 #include <OgreRenderOperation.h>
 
 #include <array>
@@ -31,5 +32,10 @@ LIXEL_API std::vector<TriangleCorners> readTriangles(const Ogre::RenderOperation
 LIXEL_API void readTriangles(const Ogre::RenderOperation& operation, std::size_t first,
                              std::size_t count, std::vector<TriangleCorners>& triangles);
 LIXEL_API std::size_t countTriangles(const Ogre::RenderOperation& operation);
+
+/// Whether a buffer was made to be written once. False for none.
+inline bool isStaticBuffer(const Ogre::HardwareBuffer* buffer) {
+    return buffer != nullptr && (buffer->getUsage() & Ogre::HardwareBuffer::HBU_DYNAMIC) == 0;
+}
 
 } // namespace Lixel

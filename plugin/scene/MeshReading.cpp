@@ -53,8 +53,7 @@ const Ogre::HardwareVertexBuffer* positionBuffer(const Ogre::VertexData& data) {
 }
 
 bool isFixed(const Ogre::VertexData& data) {
-    const Ogre::HardwareVertexBuffer* const buffer = positionBuffer(data);
-    return buffer != nullptr && (buffer->getUsage() & Ogre::HardwareBuffer::HBU_DYNAMIC) == 0;
+    return isStaticBuffer(positionBuffer(data));
 }
 
 /// Whether the hull reaches as far as a mesh's bounds, without the margin that OGRE adds to these.

@@ -1,5 +1,6 @@
 #include "scene/MeshShapes.h"
 
+#include "scene/CasterPass.h"
 #include "scene/OgreMath.h"
 
 #include <OgreEntity.h>
@@ -25,8 +26,7 @@ constexpr unsigned PicturesOfAFrame = 32;
 /// A mesh that gets other bounds more often than this is one that changes all the time.
 constexpr unsigned MostBoundsChanges = 8;
 
-/// Vertex programs that are known to do nothing except transform.
-const Ogre::String OwnPrograms = "Lixel/";
+/// The scheme of OGRE's shader system, whose vertex programs do nothing except transform either.
 const Ogre::String ShaderGenerator = "ShaderGeneratorDefaultScheme";
 
 /// Whether a vertex program may move vertices elsewhere than their node has them.
@@ -37,8 +37,7 @@ bool mayMoveVertices(const Ogre::Entity& entity) {
         for (const Ogre::Technique* technique : material->getTechniques()) {
             if (technique->getSchemeName() == ShaderGenerator) continue;
             for (const Ogre::Pass* pass : technique->getPasses())
-                if (pass->hasVertexProgram() &&
-                    !Ogre::StringUtil::startsWith(pass->getVertexProgramName(), OwnPrograms, false))
+                if (pass->hasVertexProgram() && !isOwnProgram(pass->getVertexProgramName()))
                     return true;
         }
     }

@@ -81,6 +81,10 @@ constexpr double MarginShare = 0.5;
 constexpr double LeastMargin = 0.05;
 constexpr double FreshShare = 0.7;
 
+double widestMargin(const CommonOptions& options) {
+    return MarginShare * options.lastingMaps;
+}
+
 } // namespace
 
 std::span<const Option> CommonOptions::declared() {
@@ -233,13 +237,13 @@ void FittedShadowCameraSetup::findCasters(const ShadowProblem& problem, const Su
         point.ws -= survey.wsOrigin();
     memory.hasFingerprint = false;
     memory.casters = &memory.search.find(survey, problem.light, problem.viewer.shadowDistance,
-                                         MarginShare * mCommon.lastingMaps);
+                                         widestMargin(mCommon));
 }
 
 /*  1. Count the light's maps, from its first one on.
     2. Survey what the viewer sees, and find the light's casters and its parts: once for all maps.
     3. Fit the next part.
-    4. Place the shadow camera, and have the map drawn or skipped.
+    4. Place the shadow camera, and have the map drawn, kept or skipped.
     5. Tell the log and the observers. */
 void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const Ogre::Camera* viewer,
                                               const Ogre::Viewport* viewport,
@@ -268,8 +272,8 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
         return;
     }
 
-    const TimedSurvey& timed = surveyFor(*viewer, *viewport, light->getShadowFarDistance(),
-                                         MarginShare * mCommon.lastingMaps);
+    const TimedSurvey& timed =
+        surveyFor(*viewer, *viewport, light->getShadowFarDistance(), widestMargin(mCommon));
     const Survey& survey = timed.survey;
     ShadowProblem problem = describe(request, survey, memory);
     const auto searchBegin = Clock::now();
@@ -334,8 +338,8 @@ LastingMap& FittedShadowCameraSetup::lastingMap(const Request& request,
     kept->settings = settings;
     kept->wsOrigin = problem.wsOrigin;
     // What a margin costs depends on the view: the widest one is taken that leaves the map to last.
-    for (double margin = MarginShare * mCommon.lastingMaps;
-         margin > LeastMargin * mCommon.lastingMaps; margin /= 2.0) {
+    for (double margin = widestMargin(mCommon); margin > LeastMargin * mCommon.lastingMaps;
+         margin /= 2.0) {
         kept->fit = fit(problemOf(widened(problem, margin), widened(part, margin)), kept->state);
         if (serves(*kept, settings, fresh, problem, FreshShare * mCommon.lastingMaps)) return *kept;
     }
@@ -355,7 +359,7 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowFi
     volume.set(fit, wsOrigin);
     const auto readCasters = [&]() -> const CasterFingerprint& {
         if (lasting != nullptr) {
-            // Other casters are near the viewer's region than near that of a map that lasts.
+            // It was drawn for a region of its own, and other casters reach into that.
             lasting->search.findIn(survey, volume.volume());
             lasting->fingerprint.take(lasting->search);
             return lasting->fingerprint;

@@ -34,7 +34,7 @@ void addLight(const ShadowProblem& problem, Fingerprint& settings) {
 
 bool serves(const LastingMap& kept, const Fingerprint& settings, const ShadowFit& fresh,
             const ShadowProblem& problem, double bound) {
-    if (!kept.fit.hasMap() || !(kept.settings == settings)) return false;
+    if (!kept.fit.hasMap() || kept.settings != settings) return false;
     const KeptFit compared = compareFits(kept.fit, fresh, problem.wsOrigin - kept.wsOrigin);
     return compared.covers && compared.coarseness <= 1.0 + bound;
 }

@@ -1,10 +1,10 @@
 #include "setup/MapContent.h"
 
 #include "fit/problem/ShadowFit.h"
+#include "scene/CasterPass.h"
 #include "scene/OgreVersions.h"
 
 #include <OgreCamera.h>
-#include <OgrePass.h>
 #include <OgreRenderObjectListener.h>
 #include <OgreRenderQueueListener.h>
 
@@ -32,10 +32,6 @@ void addPass(const Ogre::Pass* pass, Fingerprint& fingerprint) {
     fingerprint.add(std::uint64_t{pass->getDepthWriteEnabled()});
     fingerprint.add(std::uint64_t{pass->getDepthFunction()});
     fingerprint.add(std::uint64_t{pass->getPolygonMode()});
-}
-
-bool isOwnProgram(const std::string& name) {
-    return name.starts_with("Lixel/");
 }
 
 /// Whether a listener's class is OGRE's or Lixel's, as far as its mangled name says.

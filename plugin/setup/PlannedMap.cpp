@@ -7,6 +7,7 @@
 #include <OgreCamera.h>
 
 namespace Lixel {
+
 PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
                    const ShadowFit& fit, const ShadowTarget& target,
                    const std::function<const CasterFingerprint&()>& readCasters) {
@@ -26,15 +27,15 @@ PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
         return PlannedMap{{MapPlan::Draw, reason, {}}, wanted};
     };
     if (shown == nullptr) return drawn(PlanReason::Unknown);
-    if (shown->empty || !(shown->matrices == wanted.matrices)) return drawn(PlanReason::MapChanged);
-    if (!(shown->settings == wanted.settings)) return drawn(PlanReason::SettingsChanged);
+    if (shown->empty || shown->matrices != wanted.matrices) return drawn(PlanReason::MapChanged);
+    if (shown->settings != wanted.settings) return drawn(PlanReason::SettingsChanged);
 
     const CasterFingerprint& casters = readCasters();
     if (!casters.unknownName().empty())
         return {{MapPlan::Draw, PlanReason::RestlessCaster, casters.unknownName()}, wanted};
     wanted.casters = casters.value();
     if (!shown->casters) return drawn(PlanReason::Unknown);
-    if (!(*shown->casters == *wanted.casters)) return drawn(PlanReason::CastersChanged);
+    if (*shown->casters != *wanted.casters) return drawn(PlanReason::CastersChanged);
     return {{MapPlan::Reuse, PlanReason::NothingChanged, {}}, wanted};
 }
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <OgrePass.h>
+
+#include <string>
+
+/// What passes and programs mean for shadow casters.
+namespace Lixel {
+
+/// Whether OGRE has a pass's texture cut holes into the pass's shadow.
+inline bool cutsHoles(const Ogre::Pass& pass) {
+    return pass.getAlphaRejectFunction() != Ogre::CMPF_ALWAYS_PASS ||
+           (pass.getSourceBlendFactor() == Ogre::SBF_SOURCE_ALPHA &&
+            pass.getDestBlendFactor() == Ogre::SBF_ONE_MINUS_SOURCE_ALPHA);
+}
+
+/// Whether a GPU program is one of Lixel's materials, by its name: it does nothing to vertices
+/// except transform them.
+inline bool isOwnProgram(const std::string& name) {
+    return name.starts_with("Lixel/");
+}
+
+} // namespace Lixel
