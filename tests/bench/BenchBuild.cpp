@@ -2,6 +2,8 @@
 
 #include "BenchScene.h"
 
+#include "common/Median.h"
+
 #include <malloc.h>
 
 #include <algorithm>
@@ -56,10 +58,11 @@ BuildRow build(HeadlessOgre& ogre, const std::string& manager, std::size_t objec
     return row;
 }
 
-double medianOf(std::vector<BuildRow>& rows, double BuildRow::*member) {
-    const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-    std::ranges::nth_element(rows, middle, {}, member);
-    return (*middle).*member;
+double medianOf(const std::vector<BuildRow>& rows, double BuildRow::*member) {
+    std::vector<double> values;
+    for (const BuildRow& row : rows)
+        values.push_back(row.*member);
+    return Samples::median(values);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "BenchWatch.h"
 
+#include "common/Median.h"
 #include "setup/ShadowCameraSetups.h"
 
 #include <OgreFrameListener.h>
@@ -36,13 +37,6 @@ std::vector<NamedBenchSetup> benchSetups() {
             {"Optimal", OptimalShadowCameraSetup::create()}};
 }
 
-double medianOf(std::vector<double>& values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// One row on its way.
 struct Contender {
     BenchScene* scene;
@@ -58,7 +52,7 @@ struct Contender {
         std::vector<double> values;
         for (const BenchTimes& each : times)
             values.push_back(each.*member);
-        return medianOf(values);
+        return Samples::median(values);
     }
 };
 
@@ -119,7 +113,8 @@ void addContenders(BenchScene& scene, BenchWatch& watch, const std::string& mana
 FrameRow finish(Contender& contender) {
     FrameRow row = contender.row;
     if (row.moved > 0)
-        row.nanosecondsAMove = 1000 * medianOf(contender.longer) / static_cast<double>(row.moved);
+        row.nanosecondsAMove =
+            1000 * Samples::median(contender.longer) / static_cast<double>(row.moved);
     row.frame = contender.medianTime(&BenchTimes::frame);
     row.survey = contender.medianTime(&BenchTimes::survey);
     row.casters = contender.medianTime(&BenchTimes::casters);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "HeadlessOgre.h"
+#include "SkipDrawing.h"
 
 #include "scene/OgreVersions.h"
 
 #include <OgreEntity.h>
-#include <OgreRenderQueueListener.h>
 #include <OgreRenderTexture.h>
 #include <OgreShadowCameraSetup.h>
 #include <OgreTexture.h>
@@ -60,14 +60,6 @@ public:
     std::size_t mapDrawCalls();
 
 private:
-    class SkipDrawing : public Ogre::RenderQueueListener {
-    public:
-        void renderQueueStarted(Ogre::uint8, const Ogre::String&, bool& skip) override {
-            skip = skips;
-        }
-        bool skips = true;
-    };
-
     struct Viewer {
         Ogre::Camera* camera;
         Ogre::SceneNode* node;

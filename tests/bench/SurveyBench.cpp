@@ -11,7 +11,9 @@
 // timed in pairs, one right after the other, each the first in every other pair: so both find the
 // caches alike. The ratio is the median of the pairs' ratios.
 #include "HeadlessOgre.h"
+#include "SkipDrawing.h"
 
+#include "common/Median.h"
 #include "scene/CasterSearch.h"
 #include "scene/OgreMath.h"
 #include "setup/ShadowCameraSetups.h"
@@ -21,7 +23,6 @@
 #include <OgreEntity.h>
 #include <OgreLight.h>
 #include <OgreRenderQueue.h>
-#include <OgreRenderQueueListener.h>
 #include <OgreSceneNode.h>
 #include <OgreShadowCameraSetupLiSPSM.h>
 #include <OgreViewport.h>
@@ -40,6 +41,7 @@ namespace Lixel::Tests {
 namespace {
 
 using Ogre::Vector3;
+using Samples::median;
 
 using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
@@ -48,25 +50,12 @@ double since(Clock::time_point begin) {
     return Microseconds(Clock::now() - begin).count();
 }
 
-double median(std::vector<double>& values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 std::size_t countVisible(const Ogre::Camera& camera, const std::vector<Ogre::Entity*>& objects) {
     return static_cast<std::size_t>(
         std::count_if(objects.begin(), objects.end(), [&](const Ogre::Entity* object) {
             return camera.isVisible(object->getWorldBoundingBox());
         }));
 }
-
-/// Lets OGRE do everything but draw.
-class SkipDrawing : public Ogre::RenderQueueListener {
-public:
-    void renderQueueStarted(Ogre::uint8, const Ogre::String&, bool& skip) override { skip = true; }
-};
 
 /// Times a shadow camera setup, and counts whom its camera sees.
 class TimedSetup : public Ogre::ShadowCameraSetup {

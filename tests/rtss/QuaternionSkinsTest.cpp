@@ -80,7 +80,7 @@ void transform(Ogre::VertexData& vertices, Ogre::VertexElementSemantic semantic,
     buffer->unlock();
 }
 
-/// A bone's turn about z, and its scale.
+/// How a bone is rotated about z, and scaled.
 struct Pose {
     float degrees;
     Ogre::Vector3 scale = Ogre::Vector3::UNIT_SCALE;
