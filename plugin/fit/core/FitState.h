@@ -17,6 +17,9 @@ struct SearchMemory {
     /// How far around the target the search looks next, and how often it has followed a frame.
     double step = 0.0;
     int turn = 0;
+    /// What was thought of the target, and in how many frames in a row nothing changed since.
+    double cost = 0.0;
+    int calm = 0;
     FrameFingerprint fingerprint;
 };
 

@@ -60,8 +60,12 @@ void settle(double nearest, double farthest, const CascadeView& view, CascadeMem
     const double change = std::max({moved, changeBetween(view.fingerprint, before.fingerprint),
                                     relativeChange(view.vsReceiverNear, before.vsReceiverNear)});
     const double step = std::min(SteadyStep + SteadyGrowth * change, GreatestStep);
-    memory.nearest *= std::exp(std::clamp(nearStep, -step, step));
-    memory.farthest *= std::exp(std::clamp(farStep, -step, step));
+    // What has been reached is taken exactly, so that slices of a still view stand still.
+    const auto follow = [&](double& depth, double now, double ahead) {
+        depth = std::abs(ahead) <= step ? now : depth * std::exp(std::clamp(ahead, -step, step));
+    };
+    follow(memory.nearest, nearest, nearStep);
+    follow(memory.farthest, farthest, farStep);
     // A depth that is still far from what is seen may overtake the other.
     memory.nearest = std::min(memory.nearest, memory.farthest);
 }

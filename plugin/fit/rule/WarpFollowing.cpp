@@ -21,9 +21,25 @@ constexpr int Turns = 1 << 12;
 /// the light's image changes from frame to frame by itself.
 constexpr double FollowingGain = 1e-3;
 
+/// Frames without change after which the search rests: as many directions, evenly spread, have been
+/// tried by then as a search that starts anew tries.
+constexpr int CalmFrames = 24;
+
 } // namespace
 
+std::optional<WarpSearch::Judged> WarpSearch::atRest(const Vec2& target) {
+    if (!mMemory || mMemory->calm < CalmFrames || mChange > 0.0) return std::nullopt;
+    const Judged same = judge(target);
+    // The samples may be others although the region is the same.
+    if (!(std::abs(same.cost - mMemory->cost) <= FollowingGain * mMemory->cost))
+        return std::nullopt;
+    mNow.calm = mMemory->calm;
+    mRests = true;
+    return same;
+}
+
 WarpSearch::Judged WarpSearch::follow(const Vec2& target, int evaluations) {
+    if (const auto rest = atRest(target)) return *rest;
     Judged best = judge(target);
     if (!(best.cost < 1.0)) best = {};
     // Turned by the golden angle each time, directions are spread evenly however many there were.
@@ -45,6 +61,7 @@ WarpSearch::Judged WarpSearch::follow(const Vec2& target, int evaluations) {
 
 WarpSearch::Judged WarpSearch::followAlong(const Vec2& direction, double greatest,
                                            const Vec2& target) {
+    if (const auto rest = atRest(target)) return *rest;
     const double end = std::min(greatest, GreatestSpread);
     const double middle = std::clamp(direction.dot(target), 0.0, end);
     const double lower = std::max(middle - mNow.step, 0.0);
@@ -74,6 +91,7 @@ WarpSearch::Judged WarpSearch::followAlong(const Vec2& direction, double greates
 }
 
 void WarpSearch::adaptStep(bool improved) {
+    mNow.calm = improved || mChange > 0.0 ? 0 : std::min(mMemory->calm + 1, CalmFrames);
     mNow.step = improved ? std::min(2.0 * mNow.step, FirstStep)
                          : std::max(0.5 * mNow.step, LeastFollowingSteps * LeastStep);
 }

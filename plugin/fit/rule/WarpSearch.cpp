@@ -181,7 +181,9 @@ Vec2 WarpSearch::settle(const Judged& best) {
         chosen = part * best.spread;
         // Part of the way need not be better than none of it where the measure has a crease.
         if (part < 1.0 && !((*this)(chosen) <= 1.0)) chosen = Vec2::Zero();
-        mNow.wsTarget = wsFromSpread(best.spread);
+        // To the last bit what it was, however long it rests.
+        mNow.wsTarget = mRests ? mMemory->wsTarget : wsFromSpread(best.spread);
+        mNow.cost = best.cost;
     }
     // The samples that the search judges by come and go one by one, and two warps can be equally
     // good.

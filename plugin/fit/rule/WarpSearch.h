@@ -52,7 +52,8 @@ public:
 
     /** Like around(), but from the last frame's best, `target`. That is enough from frame to frame,
         where little changes. The step shrinks while nothing better is found, and grows again when
-        something is. Each frame also tries one spread elsewhere, in all directions in turn.
+        something is. Each frame also tries one spread elsewhere, in all directions in turn. Where
+        nothing moves it comes to rest after some frames, so that a still map stands still.
         @param evaluations of the measure, at least 2 */
     Judged follow(const Vec2& target, int evaluations);
 
@@ -87,8 +88,10 @@ private:
     Judged simplexFrom(const Judged& start, double step, int& evaluations);
     /// A spread as a direction in the world.
     Vec3 wsFromSpread(const Vec2& spread) const;
-    /// Remembers how far to look next.
+    /// Remembers how far to look next, and for how long nothing has changed.
     void adaptStep(bool improved);
+    /// The target, where the search has come to rest on it.
+    std::optional<Judged> atRest(const Vec2& target);
 
     const WarpContext& mContext;
     std::optional<SearchMemory>& mMemory;
@@ -98,6 +101,7 @@ private:
     SearchMemory mNow;
     /// How much has changed since the last frame.
     double mChange = 0.0;
+    bool mRests = false;
 };
 
 } // namespace Lixel

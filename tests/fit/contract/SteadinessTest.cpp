@@ -7,6 +7,8 @@
 #include "fit/focus/FocusRegion.h"
 #include "fit/focus/LightImage.h"
 #include "fit/geometry/Polygon2.h"
+#include "fit/parts/CascadeMemory.h"
+#include "fit/parts/CascadeSplits.h"
 #include "fit/problem/TexelInPixels.h"
 
 #include <gtest/gtest.h>
@@ -320,5 +322,83 @@ TEST_P(Steadiness, OfTheSunThroughTheBorderOfItsBasis) {
             now.light.wsDirection = Vec3(x, -std::sqrt(1.0 - x * x), (i - Steps / 2 + 0.5) * Step);
             return now;
         });
+    }
+}
+
+namespace {
+
+// A map of what stands still comes to rest: to the last bit, so that its texture can be kept.
+
+/// Where nothing moves a warp changes by at most 0.004 a frame, and the ends of all slices by at most
+/// 0.0005 of ln 2.
+constexpr int MostFrames = 1500;
+/// So many alike are at rest: a search tries a direction after the other.
+constexpr int Alike = 60;
+
+/// The frames until nothing changes any more; MostFrames where that never happens.
+template <typename Frame>
+int framesToRest(const Frame& drawFrame) {
+    int alike = 0;
+    for (int frame = 0; frame < MostFrames; ++frame) {
+        alike = drawFrame() ? alike + 1 : 0;
+        if (alike == Alike) return frame - Alike;
+    }
+    return MostFrames;
+}
+
+/// After a walk of some frames.
+Scene walked(const Scene& scene, int frame) {
+    Scene now = scene;
+    const Vec3 eye = eyeOf(scene.viewer) + 0.05 * frame * Vec3(1.0, 0.0, 0.3);
+    now.viewer.viewFromWorld = lookAlong(eye, forwardOf(scene.viewer));
+    return now;
+}
+
+} // namespace
+
+class Rest : public testing::TestWithParam<Trial> {};
+
+INSTANTIATE_TEST_SUITE_P(EveryTechnique, Rest, testing::ValuesIn(trials()), ByName{});
+
+TEST_P(Rest, ComesAfterAWalk) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        Dice dice(seed);
+        const Scene scene = randomOutdoors(dice);
+        FitState state;
+        constexpr int Steps = 20;
+        for (int frame = 0; frame < Steps; ++frame)
+            GetParam().fit(walked(scene, frame).problem(), state);
+        const Scene still = walked(scene, Steps);
+        ShadowFit last;
+        EXPECT_LT(framesToRest([&] {
+                      const ShadowFit before = last;
+                      last = GetParam().fit(still.problem(), state);
+                      return last.clipFromWorld == before.clipFromWorld &&
+                             last.depthScale == before.depthScale &&
+                             last.depthOffset == before.depthOffset;
+                  }),
+                  MostFrames)
+            << "seed " << seed;
+    }
+}
+
+TEST(RestOfSlices, ComesAfterAWalk) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        Dice dice(seed);
+        const Scene scene = randomOutdoors(dice);
+        CascadeMemory memory;
+        CascadeScratch scratch;
+        std::vector<double> splits;
+        constexpr int Steps = 20;
+        for (int frame = 0; frame < Steps; ++frame)
+            cascadeSplits(walked(scene, frame).problem(), 3, {}, memory, scratch, splits);
+        const Scene still = walked(scene, Steps);
+        EXPECT_LT(framesToRest([&] {
+                      const std::vector<double> before = splits;
+                      cascadeSplits(still.problem(), 3, {}, memory, scratch, splits);
+                      return splits == before;
+                  }),
+                  MostFrames)
+            << "seed " << seed;
     }
 }
