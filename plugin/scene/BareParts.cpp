@@ -2,6 +2,7 @@
 
 #include <OgreLogManager.h>
 #include <OgreMaterial.h>
+#include <OgreMaterialManager.h>
 #include <OgreMovableObject.h>
 #include <OgreRenderable.h>
 #include <OgreTechnique.h>
@@ -17,14 +18,12 @@ public:
     explicit Question(bool castersReceive) : mCastersReceive(castersReceive) {}
 
     void visit(Ogre::Renderable* part, Ogre::ushort, bool, Ogre::Any*) override {
-        // In this order: a part's technique is its material's.
-        const bool bare = !part->getMaterial();
-        const Ogre::Technique* const technique = bare ? nullptr : part->getTechnique();
-        if (bare && !firstBare) firstBare = parts;
+        const Ogre::MaterialPtr& material = part->getMaterial();
+        if (!material && !firstBare) firstBare = parts;
         // The part's word, not the object's, because OGRE takes it: before 14 what is not of an
         // entity or of static geometry always says that it casts none.
         receives = receives || ((mCastersReceive || !part->getCastsShadows()) &&
-                                (technique == nullptr || technique->getParent()->getReceiveShadows()));
+                                (!material || lets(*part, *material)));
         ++parts;
     }
     bool receives = false;
@@ -32,7 +31,19 @@ public:
     std::optional<std::size_t> firstBare;
 
 private:
+    /// Whether the material that a part is drawn in lets it receive.
+    bool lets(const Ogre::Renderable& part, const Ogre::Material& material) const {
+        // A listener may give a part another material's technique, where its own has none for the
+        // scheme in use. Asking takes longest.
+        const auto& techniques = material.getSupportedTechniques();
+        if (techniques.size() == 1 && techniques.front()->_getSchemeIndex() == mScheme)
+            return material.getReceiveShadows();
+        const Ogre::Technique* const technique = part.getTechnique();
+        return technique == nullptr || technique->getParent()->getReceiveShadows();
+    }
+
     bool mCastersReceive;
+    Ogre::ushort mScheme = Ogre::MaterialManager::getSingleton()._getActiveSchemeIndex();
 };
 
 } // namespace

@@ -57,12 +57,12 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport, do
     reach.shadowDistance = shadowDistance;
     mView = viewVolume(widened(reach, margin));
 
-    for (const NodeWalk::Object& found :
+    for (const auto& [object, touches] :
          mWalk.collect(mRules.sceneManager(), NodeCuller(mView, mWsOrigin)))
-        visit(*found.object);
+        visit(*object, touches);
 }
 
-void Survey::visit(Ogre::MovableObject& object) {
+void Survey::visit(Ogre::MovableObject& object, bool inView) {
     if (!mRules.draws(object)) return;
     ++mObjectCount;
     const Ogre::AxisAlignedBox& bounds = object.getWorldBoundingBox();
@@ -76,8 +76,8 @@ void Survey::visit(Ogre::MovableObject& object) {
     }
     const Aabb box = relativeBox(bounds, mWsOrigin);
     // Asking the materials takes longest, so it comes last.
-    if (mView.classify(box) == ConvexVolume::Side::Outside || !mRules.receives(object, mBareParts))
-        return;
+    if (!inView && mView.classify(box) == ConvexVolume::Side::Outside) return;
+    if (!mRules.receives(object, mBareParts)) return;
     const std::size_t index = mReceivers.size();
     const std::size_t unbounded = mReceivers.unbounded();
     mReceivers.add(box);

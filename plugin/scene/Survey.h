@@ -74,7 +74,8 @@ public:
     MeshShapes& meshes() const { return mMeshes; }
 
 private:
-    void visit(Ogre::MovableObject& object);
+    /// @param inView whether that is known already
+    void visit(Ogre::MovableObject& object, bool inView);
     void addSurface(const Ogre::MovableObject& object, std::size_t receiver);
 
     SceneRules mRules;
