@@ -52,6 +52,7 @@ set(public_headers
   setup/PostProjectiveCubeShadowCameraSetup.h
   setup/SetupList.h
   setup/ShadowCameraSetups.h
+  setup/MapBudget.h
   setup/MapPlan.h
   setup/ShadowMapObserver.h
   setup/TechniqueShadowCameraSetup.h

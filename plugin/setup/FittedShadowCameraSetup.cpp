@@ -1,5 +1,6 @@
 #include "setup/FittedShadowCameraSetup.h"
 
+#include "fit/focus/ViewVolume.h"
 #include "scene/Log.h"
 #include "scene/OgreMath.h"
 #include "scene/OgreVersions.h"
@@ -7,6 +8,7 @@
 #include "setup/LightGuard.h"
 #include "setup/MapCount.h"
 #include "setup/MapProof.h"
+#include "setup/MapQueue.h"
 #include "setup/PlannedMap.h"
 #include "setup/SetupMemory.h"
 #include "setup/ShadowCameraPlacement.h"
@@ -18,11 +20,13 @@
 #include <OgreGpuProgramManager.h>
 #include <OgreLight.h>
 #include <OgreMaterialManager.h>
+#include <OgreRoot.h>
 #include <OgreSceneManager.h>
 #include <OgreViewport.h>
 
 #include <array>
 #include <chrono>
+#include <cmath>
 
 namespace Lixel {
 namespace {
@@ -83,6 +87,17 @@ constexpr double FreshShare = 0.7;
 
 double widestMargin(const CommonOptions& options) {
     return MarginShare * options.lastingMaps;
+}
+
+/// From the viewer to the middle of the slice that was fitted last, or to the lamp; 0 for a sun's
+/// whole view.
+double distanceTo(const LightMemory& memory, const ShadowProblem& problem) {
+    if (problem.light.kind != LightKind::Directional)
+        return (problem.light.wsPosition - wsEyeOf(problem.viewer)).norm();
+    const auto end = [&](std::size_t part) { return memory.parts.parts[part].vsEnd; };
+    const std::size_t part = memory.nextPart - 1;
+    const double vsBegin = part == 0 ? 0.0 : end(part - 1);
+    return std::isfinite(end(part)) ? (vsBegin + end(part)) / 2.0 : 2.0 * vsBegin;
 }
 
 } // namespace
@@ -294,27 +309,26 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     LastingMap* const lasting = mCommon.lastingMaps > 0.0 && result.hasMap()
                                     ? &lastingMap(request, problem, *part, result, memory)
                                     : nullptr;
-    const ShadowFit& shown = lasting != nullptr ? lasting->fit : result;
     const Vec3 wsOrigin = lasting != nullptr ? lasting->wsOrigin : survey.wsOrigin();
-    placeShadowCamera(*shadowCamera, shown, wsOrigin);
+    ShownMap shown{lasting != nullptr ? lasting->fit : result,
+                   relocated(*part, survey.wsOrigin() - wsOrigin), wsOrigin};
+    placeShadowCamera(*shadowCamera, shown.fit, shown.wsOrigin);
     MapDecision decision;
-    if (isDrawn)
-        decision = draw(request, shown, wsOrigin, survey, targets.front(), memory, lasting);
+    if (isDrawn) decision = draw(request, problem, survey, targets.front(), memory, lasting, shown);
     news.tell(*light, result.reason, problem);
     if (!survey.unboundedName().empty() && result.hasMap())
         news.tellWithoutBounds(*light, survey.unboundedName());
     if (!isDrawn) return endSurvey(sceneManager); // asked for the matrices alone
-    const ShadowPart served = relocated(*part, survey.wsOrigin() - wsOrigin);
     publishShadowMap({.sceneManager = sceneManager,
                       .viewer = *viewer,
                       // OGRE hands out its own, mutable light as const.
                       .light = const_cast<Ogre::Light&>(*light),
                       .shadowCamera = *shadowCamera,
                       .iteration = iteration,
-                      .part = served,
-                      .fit = shown,
+                      .part = shown.part,
+                      .fit = shown.fit,
                       .decision = decision,
-                      .wsOrigin = wsOrigin,
+                      .wsOrigin = shown.wsOrigin,
                       .width = problem.mapWidth,
                       .height = problem.mapHeight,
                       .depthBias = mCommon.depthBias,
@@ -347,16 +361,45 @@ LastingMap& FittedShadowCameraSetup::lastingMap(const Request& request,
     return *kept;
 }
 
-MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowFit& fit,
-                                          const Vec3& wsOrigin, const Survey& survey,
-                                          const ShadowTarget& target, LightMemory& memory,
-                                          LastingMap* lasting) const {
-    if (!fit.hasMap()) {
+bool FittedShadowCameraSetup::postpones(const Request& request, const ShadowProblem& problem,
+                                        const ShadowTarget& target, const PlannedMap& planned,
+                                        LightMemory& memory, const ShownMap& wanted) const {
+    if (!mapBudget().isLimited() || !planned.content) return false;
+    const MapQueue::Key key(&memory, request.iteration);
+    const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
+    std::unique_ptr<DrawnMap>& drawn = memory.drawn.at(request.iteration);
+    if (planned.decision.plan == MapPlan::Reuse) {
+        mapQueue().rest(key, frame, mapBudget());
+        return false;
+    }
+    Fingerprint light;
+    addLight(problem, light);
+    const MapContent* const content = contentOf(target);
+    const bool isKept = drawn && content != nullptr && !content->empty &&
+                        content->matrices == drawn->matrices &&
+                        content->settings == planned.content->settings;
+    MapQueue::Wish wish;
+    wish.must = !isKept;
+    wish.distance = distanceTo(memory, problem);
+    wish.milliseconds = drawingTimeOf(target);
+    if (isKept)
+        wish.wrongness =
+            wrongnessOf(*drawn, wanted, light, planned.decision.reason != PlanReason::MapChanged);
+    if (!mapQueue().ask(key, frame, wish, mapBudget())) return true;
+    drawn = std::make_unique<DrawnMap>(wanted, planned.content->matrices, light);
+    return false;
+}
+
+MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowProblem& problem,
+                                          const Survey& survey, const ShadowTarget& target,
+                                          LightMemory& memory, LastingMap* lasting,
+                                          ShownMap& shown) const {
+    if (!shown.fit.hasMap()) {
         skipShadowPass(request.shadowCamera, target);
         return {MapPlan::Skip, PlanReason::NothingShadowed, {}};
     }
     CasterVolume& volume = memory.volumes.at(request.iteration);
-    volume.set(fit, wsOrigin);
+    volume.set(shown.fit, shown.wsOrigin);
     const auto readCasters = [&]() -> const CasterFingerprint& {
         if (lasting != nullptr) {
             // It was drawn for a region of its own, and other casters reach into that.
@@ -370,8 +413,15 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowFi
     };
     PlannedMap planned =
         mCommon.reuseMaps
-            ? planMap(request.shadowCamera, request.viewport, fit, target, readCasters)
+            ? planMap(request.shadowCamera, request.viewport, shown.fit, target, readCasters)
             : PlannedMap{{MapPlan::Draw, PlanReason::Forbidden, {}}, {}};
+    if (postpones(request, problem, target, planned, memory, shown)) {
+        shown = memory.drawn.at(request.iteration)->shown;
+        placeShadowCamera(request.shadowCamera, shown.fit, shown.wsOrigin);
+        volume.set(shown.fit, shown.wsOrigin);
+        keepShadowPass(request.shadowCamera, volume);
+        return {MapPlan::Reuse, PlanReason::Postponed, {}};
+    }
     if (planned.decision.plan != MapPlan::Reuse)
         armShadowPass(request.shadowCamera, volume, planned.content);
     else if (isProofMode())

@@ -20,13 +20,15 @@ namespace Lixel {
 
 struct DivisionMemory;
 struct FitState;
-struct LightMemory;
 struct LastingMap;
+struct LightMemory;
 class LightNews;
 struct LightPartition;
 struct MapDecision;
+struct PlannedMap;
 class SetupMemory;
 struct ShadowTarget;
+struct ShownMap;
 class Survey;
 
 /// Options of all of Lixel's setups.
@@ -212,9 +214,13 @@ private:
                            LightMemory& memory) const;
     /// Has a placed map drawn, kept, or skipped where there is none.
     /// @param lasting null for a map of this frame alone
-    MapDecision draw(const Request& request, const ShadowFit& fit, const Vec3& wsOrigin,
-                     const Survey& survey, const ShadowTarget& target, LightMemory& memory,
-                     LastingMap* lasting) const;
+    /// @param shown the map placed; where the budget has an older one kept, that
+    MapDecision draw(const Request& request, const ShadowProblem& problem, const Survey& survey,
+                     const ShadowTarget& target, LightMemory& memory, LastingMap* lasting,
+                     ShownMap& shown) const;
+    /// Whether the budget has a map that ought to be drawn kept as it was drawn before.
+    bool postpones(const Request& request, const ShadowProblem& problem, const ShadowTarget& target,
+                   const PlannedMap& planned, LightMemory& memory, const ShownMap& wanted) const;
 
     std::unique_ptr<SetupMemory> mMemory;
     std::string mName;

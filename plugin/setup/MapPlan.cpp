@@ -20,6 +20,8 @@ std::string_view toString(PlanReason reason) {
     switch (reason) {
     case PlanReason::NothingChanged:
         return "nothing changed";
+    case PlanReason::Postponed:
+        return "postponed: the frame's budget is spent";
     case PlanReason::NothingShadowed:
         return "nothing is shadowed";
     case PlanReason::Unknown:

@@ -20,6 +20,7 @@ enum class MapPlan {
 /// Why.
 enum class PlanReason {
     NothingChanged,  ///< reused: casters, matrices and settings are those that it was drawn with
+    Postponed,       ///< reused, though it ought to be drawn: for the budget @see MapBudget
     NothingShadowed, ///< skipped: the fit's reason says more
     Unknown,    ///< drawn: nobody knows what the texture shows; it is new, or others drew into it
     MapChanged, ///< drawn: the light, what is seen, or the texture is another

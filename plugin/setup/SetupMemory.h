@@ -7,6 +7,7 @@
 #include "scene/Identity.h"
 #include "scene/SceneWatch.h"
 #include "setup/DivisionMemory.h"
+#include "setup/DrawnMap.h"
 #include "setup/LastingMap.h"
 #include "setup/LightNews.h"
 
@@ -30,6 +31,8 @@ struct LightMemory {
     std::array<CasterVolume, LightPartition::Capacity> volumes;
     /// Null until the setup's maps are to last.
     std::array<std::unique_ptr<LastingMap>, LightPartition::Capacity> lasting;
+    /// Null without a budget.
+    std::array<std::unique_ptr<DrawnMap>, LightPartition::Capacity> drawn;
     unsigned long lastFrame = 0;
 
     // Valid for one preparation of shadow textures: set for the light's first map.

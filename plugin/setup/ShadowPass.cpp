@@ -11,6 +11,7 @@
 #include <OgreViewport.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <set>
 
@@ -71,6 +72,11 @@ public:
                    : nullptr;
     }
 
+    double drawingTimeOf(const Ogre::RenderTarget* target) const {
+        const auto known = mMilliseconds.find(target);
+        return known != mMilliseconds.end() ? known->second : 0.0;
+    }
+
     void forgetContents() { mContents.clear(); }
 
     void forget() {
@@ -81,6 +87,7 @@ public:
                 target->removeListener(this);
         mTargets.clear();
         mContents.clear();
+        mMilliseconds.clear();
         for (const auto& [target, cameras] : mArmed)
             for (const auto& [camera, armed] : cameras)
                 camera->removeListener(this);
@@ -94,7 +101,9 @@ public:
     }
 
     void preRenderTargetUpdate(const Ogre::RenderTargetEvent& event) override {
-        if (mArmed.count(event.source) != 0) setDepthClamp(true);
+        if (mArmed.count(event.source) == 0) return;
+        setDepthClamp(true);
+        mBegin = Clock::now();
     }
 
     /// Whatever is drawn into the target, what it showed before is gone.
@@ -122,12 +131,17 @@ public:
             camera->removeListener(this);
             camera->setCullingFrustum(state.before);
             camera->getViewport()->setAutoUpdated(true);
+            if (state.content)
+                mMilliseconds[event.source] =
+                    std::chrono::duration<double, std::milli>(Clock::now() - mBegin).count();
             if (state.proof) proveMap(*state.proof, state.kept);
         }
         mArmed.erase(armed);
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     static void setDepthClamp(bool enabled) {
         if (canClampDepth()) Ogre::Root::getSingleton().getRenderSystem()->_setDepthClamp(enabled);
     }
@@ -145,6 +159,9 @@ private:
     /// each a culling frustum of its own and expects it to stay.
     std::map<Ogre::RenderTarget*, std::map<Ogre::Camera*, Armed>> mArmed;
     std::map<const Ogre::RenderTarget*, MapContent> mContents;
+    /// When the target that is being drawn was begun, and how long each one took.
+    Clock::time_point mBegin;
+    std::map<const Ogre::RenderTarget*, double> mMilliseconds;
     /// Names of all that it listens to. Some may have gone.
     std::set<Ogre::String> mTargets;
 };
@@ -220,6 +237,10 @@ void keepShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum) {
 
 const MapContent* contentOf(const ShadowTarget& target) {
     return listener().contentOf(target);
+}
+
+double drawingTimeOf(const ShadowTarget& target) {
+    return listener().drawingTimeOf(target.target);
 }
 
 void forgetContents() {

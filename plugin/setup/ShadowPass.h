@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/geometry/Types.h"
 #include "setup/MapContent.h"
 
 #include <optional>
@@ -50,6 +51,10 @@ void keepShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
 /// What the texture shows. Null where it is new, was made anew, or something else has been drawn
 /// into it since.
 const MapContent* contentOf(const ShadowTarget& target);
+
+/// How long the texture's last drawing took, in milliseconds of this thread; 0 where it was not drawn
+/// by a setup of Lixel's.
+double drawingTimeOf(const ShadowTarget& target);
 
 /// No texture's content is known any more.
 void forgetContents();
