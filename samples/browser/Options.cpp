@@ -78,6 +78,9 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
                    "PNG of errors against exact shadows: red acne, blue leak (headless)");
     app.add_option("--manager", options.manager,
                    "Type of the scene manager: LixelSceneManager, or one of OGRE's");
+    app.add_option("--budget", options.budget,
+                   "Shadow maps that a frame draws at most; others wait for their turn")
+        ->check(CLI::Range(1, 1000));
     app.add_flag("--proof", options.proof,
                  "Draw maps that could be kept, and compare them with what was kept");
     try {

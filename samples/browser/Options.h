@@ -31,6 +31,7 @@ struct BrowserOptions {
     std::string comparison;
     std::string manager; ///< type of the scene manager; empty for OGRE's default one
     bool proof = false;
+    int budget = 0; ///< shadow maps that a frame draws at most; 0: no limit
 };
 
 /** Parses the command line.

@@ -4,6 +4,7 @@
 #include "common/OptionsTable.h"
 
 #include <Lixel/headless/Headless.h>
+#include <Lixel/setup/MapBudget.h>
 
 #include <OgreLogManager.h>
 
@@ -47,6 +48,9 @@ int show(Stage& stage, const BrowserOptions& options) {
     stage.setView(view);
     stage.setLight(lightFor(options, scene, view));
     stage.setShadowMapSize(options.mapSize);
+    Lixel::MapBudget budget;
+    budget.maps = static_cast<std::size_t>(options.budget);
+    Lixel::setMapBudget(budget);
     if (!options.setup.empty()) {
         const NamedSetup& setup = *findShadowSetup(options.setup);
         stage.setShadowSetup(withOptions(setup, options.assignments).create(), setup.maps);

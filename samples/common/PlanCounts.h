@@ -22,6 +22,7 @@ public:
             break;
         case MapPlan::Reuse:
             ++reused;
+            postponed += map.decision.reason == PlanReason::Postponed ? 1 : 0;
             break;
         case MapPlan::Skip:
             ++skipped;
@@ -29,13 +30,15 @@ public:
         }
     }
     void clear() {
-        drawn = reused = skipped = 0;
+        drawn = reused = skipped = postponed = 0;
         reason.clear();
     }
 
     std::size_t drawn = 0;
     std::size_t reused = 0;
     std::size_t skipped = 0;
+    /// Of the reused ones, those that would be drawn without a budget.
+    std::size_t postponed = 0;
     /// Why the last one was drawn.
     std::string reason;
 };

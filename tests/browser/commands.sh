@@ -54,6 +54,7 @@ done
     --frames 4 --stats still.json >proof
 grep -q '"maps_reused": 1' still.json || fail "the map of a still picture is drawn again"
 grep -Eq '^proof: [1-9][0-9]* maps .*, 0 were different$' proof || fail "proof: $(cat proof)"
+refuses 105 "--budget" --headless --budget 0
 refuses 1 "NoSuchManager" --headless --manager NoSuchManager
 
 # Where Lixel is built with OGRE's shader system. Without --setup its lights have presets.
