@@ -6,9 +6,6 @@
 #include <Lixel/setup/MapPlan.h>
 #include <Lixel/setup/ShadowCameraSetups.h>
 
-#include <functional>
-#include <random>
-
 /// Of no namespace: an application's.
 class AnApplicationsListener : public Ogre::RenderQueueListener {};
 
@@ -238,77 +235,6 @@ TEST_F(MapPlanTest, TwoScenesThatShareATextureDrawBoth) {
     EXPECT_EQ(decision.reason, PlanReason::Unknown);
     scene.stage.window().removeViewport(second->getZOrder());
     scene.stage.root().destroySceneManager(&other);
-}
-
-/// Random deeds on a few boxes; every map that is kept is proved, and every picture is the one of
-/// maps that are all drawn.
-class StaleMapsTest : public testing::TestWithParam<std::string> {};
-
-INSTANTIATE_TEST_SUITE_P(SceneManager, StaleMapsTest,
-                         testing::Values("DefaultSceneManager", "LixelSceneManager"),
-                         [](const auto& test) { return test.param; });
-
-TEST_P(StaleMapsTest, AreNeverShown) {
-    BoxOnGround scene(GetParam(), "Uniform");
-    std::mt19937 engine(11);
-    const auto between = [&](float low, float high) {
-        return std::uniform_real_distribution<float>(low, high)(engine);
-    };
-    std::vector<Ogre::SceneNode*> boxes{scene.box};
-    for (int i = 0; i < 5; ++i)
-        boxes.push_back(scene.addCube({between(-8, 8), between(1, 3), between(-8, 8)},
-                                      Ogre::Vector3(between(0.5F, 2))));
-    const auto any = [&]() -> Ogre::SceneNode& {
-        return *boxes[std::uniform_int_distribution<std::size_t>(0, boxes.size() - 1)(engine)];
-    };
-    const auto entity = [](Ogre::SceneNode& node) -> Ogre::Entity& {
-        return *static_cast<Ogre::Entity*>(node.getAttachedObject(0));
-    };
-    const std::vector<std::function<void()>> deeds{
-        [&] { any().translate(between(-1, 1), between(-0.2F, 0.2F), between(-1, 1)); },
-        [&] { any().yaw(Ogre::Degree(between(-30, 30))); },
-        [&] { any().setScale(Ogre::Vector3(between(0.005F, 0.03F))); },
-        [&] { any().setScale(0.02F, 0.01F, -0.02F); },
-        [&] { entity(any()).setVisible(between(0, 1) < 0.5F); },
-        [&] { entity(any()).setCastShadows(between(0, 1) < 0.5F); },
-        [&] { entity(any()).setVisibilityFlags(between(0, 1) < 0.5F ? 1U : 0U); },
-        [&] { entity(any()).getSubEntity(0)->setVisible(between(0, 1) < 0.5F); },
-        [&] { entity(any()).setRenderQueueGroup(between(0, 1) < 0.5F ? 50 : 60); },
-        [&] {
-            Ogre::SceneNode& node = any();
-            Ogre::Entity& lent = entity(node);
-            node.detachObject(&lent);
-            scene.stage.drawFrame();
-            node.attachObject(&lent);
-        },
-        [&] {
-            scene.stage.light().getParentSceneNode()->yaw(Ogre::Degree(between(-5, 5)),
-                                                          Ogre::Node::TS_WORLD);
-        },
-        [&] { scene.stage.camera().getParentSceneNode()->translate(between(-1, 1), 0, 0); },
-    };
-    const Proof proof(scene.stage);
-    Decisions decisions;
-    std::size_t kept = 0;
-    for (int step = 0; step < 150; ++step) {
-        deeds[std::uniform_int_distribution<std::size_t>(0, deeds.size() - 1)(engine)]();
-        for (int still = 0; still < 3; ++still) {
-            decisions.list.clear();
-            scene.stage.drawFrame();
-            EXPECT_EQ(proofCount().different, 0U) << step;
-            for (const MapDecision& decision : decisions.list)
-                kept += decision.plan != MapPlan::Draw ? 1U : 0U;
-        }
-    }
-    EXPECT_GT(kept, 100U);
-    // The first frame after a change shows it: without proof, maps are what they are.
-    setProofMode(false);
-    for (int step = 0; step < 40; ++step) {
-        deeds[std::uniform_int_distribution<std::size_t>(0, deeds.size() - 1)(engine)]();
-        const std::vector<std::uint8_t> picture = scene.stage.drawVisibility();
-        redrawShadowMaps();
-        EXPECT_EQ(picture, scene.stage.drawVisibility()) << step;
-    }
 }
 
 } // namespace

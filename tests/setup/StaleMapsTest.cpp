@@ -1,0 +1,398 @@
+// Whatever an application does between two frames: a map that is kept shows what it would show if it
+// were drawn anew.
+
+#include "TestStage.h"
+
+#include "common/Surface.h"
+#include "stress/Random.h"
+
+#include <Lixel/scene/OgreVersions.h>
+#include <Lixel/setup/MapPlan.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
+
+#include <cstdlib>
+#include <numeric>
+
+namespace Lixel::Tests {
+namespace {
+
+/// Boxes, one of two kinds of lamp beside the sun, and a second viewer, all to be changed.
+class ChangingScene {
+public:
+    explicit ChangingScene(const std::string& managerType) : mStage(managerType, "Uniform") {
+        Ogre::SceneManager& scene = manager();
+        mStage.stage.setShadowMapSize(256);
+        scene.setShadowTextureCount(2);
+        mLamp = scene.createLight("lamp");
+        mLamp->setType(Ogre::Light::LT_SPOTLIGHT);
+        mLamp->setSpotlightRange(Ogre::Degree(40), Ogre::Degree(70));
+        mLamp->setAttenuation(60, 1, 0, 0);
+        Ogre::SceneNode* const node = scene.getRootSceneNode()->createChildSceneNode();
+        node->attachObject(mLamp);
+        node->setPosition(6, 12, 4);
+        node->setDirection(-0.4F, -1, -0.3F, Ogre::Node::TS_WORLD);
+        mSecond = scene.createCamera("second");
+        mSecond->setNearClipDistance(0.1F);
+        mSecond->setFarClipDistance(200);
+        Ogre::SceneNode* const viewer = scene.getRootSceneNode()->createChildSceneNode();
+        viewer->attachObject(mSecond);
+        viewer->setPosition(10, 6, 3);
+        viewer->lookAt(Ogre::Vector3::ZERO, Ogre::Node::TS_WORLD);
+        Random random(5);
+        mBoxes.push_back(mStage.box);
+        for (int i = 0; i < 5; ++i)
+            addBox(random);
+        makeMaterials();
+    }
+
+    /// One change. @return what was done
+    std::string change(Random& random) {
+        switch (random.below(20)) {
+        case 0:
+        case 1:
+            any(random).translate(place(random) / 8);
+            return "move";
+        case 2:
+            any(random).yaw(Ogre::Degree(random.between(-30, 30)));
+            return "turn";
+        case 3:
+            any(random).setScale(Ogre::Vector3(random.between(0.005F, 0.03F)) *
+                                 Ogre::Vector3(1, 1, random.of({1.0F, 1.0F, -1.0F})));
+            return "scale or mirror";
+        case 4:
+            entity(random).setVisible(random.oneIn(2));
+            return "visible";
+        case 5:
+            entity(random).setCastShadows(random.oneIn(2));
+            return "casts";
+        case 6:
+            entity(random).setVisibilityFlags(random.of({1U, 2U, 0U}));
+            return "visibility flags";
+        case 7:
+            entity(random).getSubEntity(0)->setVisible(random.oneIn(2));
+            return "part visible";
+        case 8:
+            entity(random).setRenderQueueGroup(random.of<Ogre::uint8>({50, 60}));
+            return "queue group";
+        case 9:
+            entity(random).setMaterialName("Stale/" + std::to_string(random.below(3)));
+            return "material";
+        case 10:
+            return changeMaterial(random);
+        case 11:
+            return changeTree(random);
+        case 12:
+            return changeBoxes(random);
+        case 13:
+            return renewSomething(random);
+        case 14:
+            return changeLight(random);
+        case 15:
+            mStage.stage.camera().getParentSceneNode()->translate(random.between(-1, 1), 0, 0);
+            return "move the viewer";
+        case 16:
+            return changeViewers(random);
+        case 17:
+            return changeManager(random);
+        case 18:
+            return changeSetup(random);
+        default:
+            return "nothing";
+        }
+    }
+
+    std::vector<std::uint8_t> picture() {
+        mStage.stage.drawFrame();
+        return mStage.stage.picture();
+    }
+    Samples::Stage& stage() { return mStage.stage; }
+
+private:
+    Ogre::SceneManager& manager() { return mStage.stage.sceneManager(); }
+    Ogre::SceneNode& any(Random& random) { return *mBoxes[random.below(mBoxes.size())]; }
+    Ogre::Entity& entity(Random& random) {
+        return *static_cast<Ogre::Entity*>(any(random).getAttachedObject(0));
+    }
+    static Ogre::Vector3 place(Random& random) {
+        const float x = random.between(-8, 8);
+        return {x, random.between(1, 3), random.between(-8, 8)};
+    }
+    void addBox(Random& random) {
+        mBoxes.push_back(mStage.addCube(place(random), Ogre::Vector3(random.between(0.5F, 2))));
+    }
+
+    /// Materials that some boxes wear: whole, and with holes by a texture's alpha.
+    static void makeMaterials() {
+        for (int i = 0; i < 3; ++i)
+            Samples::makeSurface("Stale/" + std::to_string(i), Ogre::ColourValue(0.8F, 0.7F, 0.6F));
+    }
+    static Ogre::Pass& passOf(Random& random) {
+        return *Ogre::MaterialManager::getSingleton()
+                    .getByName("Stale/" + std::to_string(random.below(3)))
+                    ->getTechnique(0)
+                    ->getPass(0);
+    }
+    std::string changeMaterial(Random& random) {
+        switch (random.below(3)) {
+        case 0:
+            passOf(random).setCullingMode(
+                random.of({Ogre::CULL_NONE, Ogre::CULL_CLOCKWISE, Ogre::CULL_ANTICLOCKWISE}));
+            return "culling";
+        case 1:
+            passOf(random).setAlphaRejectSettings(
+                random.oneIn(4) ? Ogre::CMPF_GREATER_EQUAL : Ogre::CMPF_ALWAYS_PASS, 128);
+            return "holes";
+        default:
+            passOf(random).getParent()->getParent()->setReceiveShadows(random.oneIn(2));
+            return "receives";
+        }
+    }
+
+    std::string changeTree(Random& random) {
+        Ogre::SceneNode& node = any(random);
+        if (random.oneIn(2)) {
+            Ogre::MovableObject* const lent = node.getAttachedObject(0);
+            node.detachObject(lent);
+            mStage.stage.drawFrame();
+            node.attachObject(lent);
+            return "detach for a frame";
+        }
+        Ogre::SceneNode* const parent =
+            random.oneIn(2) ? mStage.ground : manager().getRootSceneNode();
+        if (&node == mStage.box || node.getParentSceneNode() == parent) return "nothing";
+        node.getParentSceneNode()->removeChild(&node);
+        if (random.oneIn(3)) mStage.stage.drawFrame(); // out of the scene graph
+        parent->addChild(&node);
+        return "another parent";
+    }
+
+    std::string changeBoxes(Random& random) {
+        if (random.oneIn(2) || mBoxes.size() < 3) {
+            if (mBoxes.size() > 12) return "nothing";
+            addBox(random);
+            return "add";
+        }
+        Ogre::SceneNode* const gone = mBoxes.back();
+        mBoxes.pop_back();
+        manager().destroyEntity(static_cast<Ogre::Entity*>(gone->getAttachedObject(0)));
+        manager().destroySceneNode(gone);
+        return "destroy";
+    }
+
+    std::string renewSomething(Random& random) {
+        switch (random.below(3)) {
+        case 0:
+            static_cast<Ogre::Entity*>(mStage.box->getAttachedObject(0))->getMesh()->reload();
+            // OGRE makes its entities' parts anew, and they wear what the mesh says.
+            for (const auto& [name, object] : manager().getMovableObjects("Entity")) {
+                auto& entity = static_cast<Ogre::Entity&>(*object);
+                entity._initialise(true);
+                entity.setMaterialName("Stale/0");
+            }
+            return "reload the mesh";
+        case 1:
+            Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster")->reload();
+            return "reload the caster material";
+        default:
+            manager().setShadowTexturePixelFormat(
+                random.of({Ogre::PF_FLOAT32_R, Ogre::PF_FLOAT32_RGBA}));
+            return "format of shadow textures";
+        }
+    }
+
+    std::string changeLight(Random& random) {
+        Ogre::Light& light = random.oneIn(2) ? mStage.stage.light() : *mLamp;
+        switch (random.below(4)) {
+        case 0:
+            light.getParentSceneNode()->yaw(Ogre::Degree(random.between(-5, 5)),
+                                            Ogre::Node::TS_WORLD);
+            return "turn a light";
+        case 1:
+            light.setCastShadows(random.oneIn(2));
+            return "light casts";
+        case 2:
+            light.setVisible(random.oneIn(2));
+            return "light visible";
+        default:
+            mLamp->getParentSceneNode()->translate(random.between(-1, 1), 0, random.between(-1, 1));
+            return "move the lamp";
+        }
+    }
+
+    std::string changeViewers(Random& random) {
+        Ogre::RenderWindow& window = mStage.stage.window();
+        if (window.hasViewportWithZOrder(1)) {
+            // Viewers share textures, and keep little.
+            window.removeViewport(1);
+            return "one viewer";
+        }
+        if (random.oneIn(2)) {
+            mSecond->getParentSceneNode()->translate(random.between(-1, 1), 0, 0);
+            return "move the second viewer";
+        }
+        window.addViewport(mSecond, 1, 0.6F, 0.6F, 0.4F, 0.4F);
+        return "two viewers";
+    }
+
+    std::string changeManager(Random& random) {
+        Ogre::SceneManager& scene = manager();
+        switch (random.below(7)) {
+        case 0:
+            scene.setShadowTextureSize(random.of<unsigned short>({128, 256}));
+            return "size of shadow textures";
+        case 1:
+            scene.setShadowCasterRenderBackFaces(random.oneIn(2));
+            return "back faces";
+        case 2:
+            scene.setVisibilityMask(random.of({0xFFFFFFFFU, 1U}));
+            return "visibility mask";
+        case 3:
+            scene.setCameraRelativeRendering(random.oneIn(2));
+            return "camera-relative";
+        case 4:
+            scene.setShadowFarDistance(random.of({100.0F, 30.0F}));
+            return "shadow distance";
+        case 5:
+            scene.setShadowTextureCount(random.of<std::size_t>({1, 2}));
+            return "number of shadow textures";
+        default:
+            mStage.stage.viewport().setVisibilityMask(random.of({0xFFFFFFFFU, 1U}));
+            return "mask of the view";
+        }
+    }
+
+    std::string changeSetup(Random& random) {
+        if (random.oneIn(2)) {
+            const auto setup = random.of<std::string>({"Uniform", "XPSM", "LiSPSM", "Optimal"});
+            mStage.stage.setShadowSetup(Samples::findShadowSetup(setup)->create());
+            return "setup " + setup;
+        }
+        const auto lasting = XPSMShadowCameraSetup::create();
+        lasting->setLastingMaps(0.2F);
+        mStage.stage.setShadowSetup(lasting);
+        return "maps that last";
+    }
+
+    BoxOnGround mStage;
+    std::vector<Ogre::SceneNode*> mBoxes;
+    Ogre::Light* mLamp;
+    Ogre::Camera* mSecond;
+};
+
+/// A walk through changes. What a step does follows from the seed and its number: steps can be left
+/// out.
+struct Changes {
+    std::string managerType;
+    std::uint64_t seed = 1;
+    /// Whether kept maps are compared, instead of pictures.
+    bool proves = false;
+    std::vector<std::size_t> steps;
+};
+
+struct ChangesEnd {
+    /// Empty where no stale map was seen.
+    std::string found;
+    std::vector<std::string> deeds;
+    std::size_t kept = 0;
+};
+
+/// Counts kept maps.
+class KeptMaps : public ShadowMapObserver {
+public:
+    KeptMaps() { addShadowMapObserver(*this); }
+    ~KeptMaps() override { removeShadowMapObserver(*this); }
+    void shadowMapFitted(const ShadowMap& map) override {
+        count += map.decision.plan == MapPlan::Reuse ? 1U : 0U;
+    }
+    std::size_t count = 0;
+};
+
+void walk(const Changes& changes, ChangesEnd& end) {
+    ChangingScene scene(changes.managerType);
+    KeptMaps kept;
+    if (changes.proves) setProofMode(true, [&scene] { scene.stage().finish(); });
+    for (const std::size_t step : changes.steps) {
+        Random random(changes.seed * 0x2545F4914F6CDD1DULL + step);
+        end.deeds.push_back(std::to_string(step) + ": " + scene.change(random));
+        const std::vector<std::uint8_t> picture = scene.picture();
+        // Several frames without a change, so that there is something to keep.
+        for (std::size_t still = random.below(6); still > 0; --still)
+            scene.picture();
+        if (changes.proves && proofCount().different > 0) end.found = "a kept map is stale";
+        if (!changes.proves && random.oneIn(2)) {
+            const std::vector<std::uint8_t> last = scene.picture();
+            redrawShadowMaps();
+            if (last != scene.picture()) end.found = "a picture shows a stale map";
+        }
+        if (!end.found.empty()) break;
+    }
+    end.kept = kept.count;
+}
+
+ChangesEnd go(const Changes& changes) {
+    ChangesEnd end;
+    try {
+        walk(changes, end);
+    } catch (const Ogre::Exception& exception) {
+        end.found = exception.getDescription();
+    }
+    setProofMode(false);
+    return end;
+}
+
+/// Leaves out steps as long as the rest still ends in a stale map.
+std::string story(Changes changes) {
+    changes.steps.resize(go(changes).deeds.size());
+    for (std::size_t piece = changes.steps.size() / 2; piece > 0; piece /= 2)
+        for (std::size_t at = 0; at + piece <= changes.steps.size();) {
+            Changes fewer = changes;
+            const auto from = fewer.steps.begin() + static_cast<std::ptrdiff_t>(at);
+            fewer.steps.erase(from, from + static_cast<std::ptrdiff_t>(piece));
+            if (go(fewer).found.empty())
+                at += piece;
+            else
+                changes = fewer;
+        }
+    const ChangesEnd end = go(changes);
+    std::string told = "seed " + std::to_string(changes.seed) + ":\n";
+    for (const std::string& deed : end.deeds)
+        told += "  " + deed + "\n";
+    return told + end.found;
+}
+
+/// For a long search by hand, the environment's LIXEL_WALKS asks for more walks.
+std::uint64_t walksOfATest() {
+    const char* walks = std::getenv("LIXEL_WALKS");
+    return walks != nullptr ? std::strtoull(walks, nullptr, 10) : 3;
+}
+
+class StaleMapsTest : public testing::TestWithParam<std::string> {
+protected:
+    void expectNone(bool proves) {
+        constexpr std::size_t Steps = 50;
+        std::size_t kept = 0;
+        for (std::uint64_t seed = 1; seed <= walksOfATest(); ++seed) {
+            Changes changes{GetParam(), seed, proves, std::vector<std::size_t>(Steps)};
+            std::iota(changes.steps.begin(), changes.steps.end(), std::size_t{0});
+            const ChangesEnd end = go(changes);
+            ASSERT_EQ(end.found, "") << story(changes);
+            kept += end.kept;
+        }
+        EXPECT_GT(kept, 25 * walksOfATest());
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(SceneManager, StaleMapsTest,
+                         testing::Values("DefaultSceneManager", "LixelSceneManager"),
+                         [](const auto& test) { return test.param; });
+
+TEST_P(StaleMapsTest, AreNeverKept) {
+    expectNone(true);
+}
+
+TEST_P(StaleMapsTest, AreNeverShown) {
+    expectNone(false);
+}
+
+} // namespace
+} // namespace Lixel::Tests
