@@ -1,11 +1,23 @@
 #include "manager/LixelSceneManager.h"
 
+#include "manager/CasterBatches.h"
 #include "manager/LixelSceneNode.h"
+#include "manager/NearestDepth.h"
+#include "setup/MapPlan.h"
+#include "setup/MapProof.h"
+
+#include <OgreViewport.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace Lixel {
 
 LixelSceneManager::LixelSceneManager(const Ogre::String& name)
-    : SceneManager(name), mStore(std::make_shared<NodeStore>()) {
+    : SceneManager(name),
+      mStore(std::make_shared<NodeStore>()),
+      mBatches(std::make_unique<CasterBatches>()) {
     setStore(*this, mStore.get());
 }
 
@@ -16,6 +28,12 @@ LixelSceneManager::~LixelSceneManager() {
 const Ogre::String& LixelSceneManager::getTypeName() const {
     static const Ogre::String name = TypeName;
     return name;
+}
+
+void LixelSceneManager::clearScene() {
+    // OGRE shuts down by it: what the render system has made must go before that goes.
+    mBatches->clear();
+    SceneManager::clearScene();
 }
 
 Ogre::SceneNode* LixelSceneManager::createSceneNodeImpl() {
@@ -35,7 +53,38 @@ void LixelSceneManager::_findVisibleObjects(Ogre::Camera* camera,
                                             Ogre::VisibleObjectsBoundsInfo* visibleBounds,
                                             bool onlyShadowCasters) {
     mVisible.find(*mStore, *camera);
-    mVisible.queue(*this, *camera, visibleBounds, onlyShadowCasters);
+    const bool drawsAsOgre = mActiveQueuedRenderableVisitor == &mDefaultQueuedRenderableVisitor;
+    CasterBatches* const batches = mUsesBatches && onlyShadowCasters && drawsAsOgre &&
+                                           mBatches->begin(*this, *camera, *getRenderQueue())
+                                       ? mBatches.get()
+                                       : nullptr;
+    mVisible.queue(*this, *camera, visibleBounds, onlyShadowCasters, batches);
+    if (batches != nullptr) batches->queue();
+}
+
+void LixelSceneManager::_renderScene(Ogre::Camera* camera, Ogre::Viewport* viewport,
+                                     bool includeOverlays) {
+    if (_getCurrentRenderStage() != IRS_RENDER_TO_TEXTURE) {
+        SceneManager::_renderScene(camera, viewport, includeOverlays);
+        return;
+    }
+    std::optional<NearestDepth> nearest;
+    if (storesDepthAsColour(*this, *viewport->getTarget())) nearest.emplace(*this);
+    SceneManager::_renderScene(camera, viewport, includeOverlays);
+    if (mBatches->takeCount() > 0 && isProofMode())
+        proveBatches(*camera, *viewport, includeOverlays);
+}
+
+void LixelSceneManager::proveBatches(Ogre::Camera& camera, Ogre::Viewport& viewport,
+                                     bool includeOverlays) {
+    const std::vector<ShadowTarget> targets = shadowTargetsOf(*this);
+    const auto drawn = std::ranges::find(targets, viewport.getTarget(), &ShadowTarget::target);
+    if (drawn == targets.end()) return;
+    const std::vector<std::uint8_t> batched = readTexels(*drawn->texture);
+    mUsesBatches = false;
+    SceneManager::_renderScene(&camera, &viewport, includeOverlays);
+    mUsesBatches = true;
+    proveBatchedMap(*drawn->texture, batched);
 }
 
 Ogre::SceneManager* LixelSceneManagerFactory::createInstance(const Ogre::String& name) {

@@ -6,6 +6,9 @@
 #include <memory>
 
 namespace Lixel {
+
+class CasterBatches;
+
 /// @addtogroup LixelSceneManager
 /// @{
 
@@ -25,6 +28,9 @@ namespace Lixel {
     - A node at a place that is not finite is not drawn, and named in the log once; OGRE aborts.
     - Objects are queued in the order in which their nodes first had something attached, not in the
       order of the graph. It makes a difference only between surfaces of one material at one depth.
+    - Casters by Lixel's programs store the nearest depth of each texel, whatever the order in which
+      they are drawn. OGRE's depth test compares other numbers than are stored, and decides by the
+      order where two casters are equally near.
 */
 class LIXEL_API LixelSceneManager : public Ogre::SceneManager {
 public:
@@ -34,17 +40,37 @@ public:
     explicit LixelSceneManager(const Ogre::String& name);
     ~LixelSceneManager() override;
 
+    /** Whether casters of one mesh are drawn by one call; they are at first.
+
+        In shadow maps that are drawn with Lixel/Caster, four or more entities that share a part of
+        a mesh, a culling mode and a place in the render queue are drawn as instances, and each
+        texel is that of single draws. Drawn by themselves are: what is mirrored, skinned, animated
+        or has levels of detail, what has holes or casters of its own, and whatever is no entity.
+        All are where an application listens to the render queue or to single draws
+        (RenderQueueListener, RenderableListener, RenderObjectListener) or draws queues in ways of
+        its own, and where the render system cannot draw instances, which the log says once.
+        @see setProofMode, which draws maps both ways and compares them */
+    void setCasterBatches(bool use) { mUsesBatches = use; }
+    bool getCasterBatches() const { return mUsesBatches; }
+
     const Ogre::String& getTypeName() const override;
+    void clearScene() override;
     void _updateSceneGraph(Ogre::Camera* camera) override;
     void _findVisibleObjects(Ogre::Camera* camera, Ogre::VisibleObjectsBoundsInfo* visibleBounds,
                              bool onlyShadowCasters) override;
+    void _renderScene(Ogre::Camera* camera, Ogre::Viewport* viewport,
+                      bool includeOverlays) override;
 
 private:
+    void proveBatches(Ogre::Camera& camera, Ogre::Viewport& viewport, bool includeOverlays);
+
     Ogre::SceneNode* createSceneNodeImpl() override;
     Ogre::SceneNode* createSceneNodeImpl(const Ogre::String& name) override;
 
     std::shared_ptr<NodeStore> mStore;
     VisibleObjects mVisible;
+    std::unique_ptr<CasterBatches> mBatches;
+    bool mUsesBatches = true;
 };
 
 /// Makes LixelSceneManager; the plugin registers one.

@@ -1,6 +1,7 @@
 #include "manager/VisibleObjects.h"
 
 #include "manager/CameraVolume.h"
+#include "manager/CasterBatches.h"
 #include "manager/SeenBounds.h"
 #include "scene/OgreVersions.h"
 
@@ -27,16 +28,25 @@ struct QueuePlace {
     Ogre::ushort priority;
 };
 
+/// Where Entity::_updateRenderQueue queues a part.
+QueuePlace placeOf(const Ogre::SubEntity& part, const QueuePlace& entity,
+                   const Ogre::RenderQueue& queue) {
+    if (part.isRenderQueuePrioritySet())
+        return {part.getRenderQueueGroup(), part.getRenderQueuePriority()};
+    if (part.isRenderQueueGroupSet())
+        return {part.getRenderQueueGroup(), queue.getDefaultRenderablePriority()};
+    return entity;
+}
+
 /// Queues an entity's visible parts as Entity::_updateRenderQueue does.
-void queueParts(const Ogre::Entity& entity, const QueuePlace& place, Ogre::RenderQueue& queue) {
+/// @param batches null where none of them can be taken
+void queueParts(const Ogre::Entity& entity, const QueuePlace& place, Ogre::RenderQueue& queue,
+                CasterBatches* batches) {
     for (Ogre::SubEntity* part : entity.getSubEntities()) {
         if (!part->isVisible()) continue;
-        if (part->isRenderQueuePrioritySet())
-            queue.addRenderable(part, part->getRenderQueueGroup(), part->getRenderQueuePriority());
-        else if (part->isRenderQueueGroupSet())
-            queue.addRenderable(part, part->getRenderQueueGroup());
-        else
-            queue.addRenderable(part, place.group, place.priority);
+        const auto [group, priority] = placeOf(*part, place, queue);
+        if (batches == nullptr || !batches->take(*part, group, priority))
+            queue.addRenderable(part, group, priority);
     }
 }
 
@@ -64,9 +74,11 @@ bool drawsEveryNode(const Ogre::SceneManager& manager, const Ogre::DebugDrawer& 
 /** Queues plain entities in one pass over what is seen. */
 class ShortWay {
 public:
-    ShortWay(Ogre::RenderQueue& queue, SeenBounds& bounds, bool onlyShadowCasters)
+    ShortWay(Ogre::RenderQueue& queue, SeenBounds& bounds, bool onlyShadowCasters,
+             CasterBatches* batches)
         : mQueue(queue),
           mBounds(bounds),
+          mBatches(batches),
           mOnlyShadowCasters(onlyShadowCasters),
           mMask(currentMask()),
           // An object's group and priority begin as these; OGRE does not say whether they were set.
@@ -82,7 +94,9 @@ public:
             mQueue.getQueueGroup(place.group)->getShadowsEnabled() && receives(entity);
         if (!mOnlyShadowCasters || entity.getCastShadows()) {
             if (mStandard)
-                queueParts(entity, place, mQueue);
+                queueParts(entity, place, mQueue,
+                           mBatches != nullptr && CasterBatches::takes(entity) ? mBatches
+                                                                               : nullptr);
             else
                 entity._updateRenderQueue(&mQueue);
             mBounds.merge(box, sphere, received);
@@ -96,6 +110,7 @@ private:
 
     Ogre::RenderQueue& mQueue;
     SeenBounds& mBounds;
+    CasterBatches* mBatches;
     bool mOnlyShadowCasters;
     Ogre::uint32 mMask;
     bool mStandard;
@@ -129,14 +144,15 @@ void VisibleObjects::fetchAhead(std::size_t position) const {
 }
 
 void VisibleObjects::queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
-                           Ogre::VisibleObjectsBoundsInfo* bounds, bool onlyShadowCasters) {
+                           Ogre::VisibleObjectsBoundsInfo* bounds, bool onlyShadowCasters,
+                           CasterBatches* batches) {
     Ogre::RenderQueue& queue = *manager.getRenderQueue();
     const bool anyPlain = lodListenersOf(manager).empty();
     Ogre::DebugDrawer* const drawer = manager.getDebugDrawer();
     const bool drawsNodes = drawer != nullptr && drawsEveryNode(manager, *drawer);
     mPlain.resize(std::max(mPlain.size(), mStore->slotCount()));
     SeenBounds seen(camera);
-    ShortWay shortWay(queue, seen, onlyShadowCasters);
+    ShortWay shortWay(queue, seen, onlyShadowCasters, batches);
     const std::vector<NodeStore::Slot>& found = mSearch.found;
     for (std::size_t i = 0; i < found.size(); ++i) {
         fetchAhead(i);

@@ -11,7 +11,7 @@ struct VisibleObjectsBoundsInfo;
 
 namespace Lixel {
 
-class SeenBounds;
+class CasterBatches;
 
 /** Finds what a camera sees in a store, and queues it as OGRE's default scene manager does.
 
@@ -26,8 +26,10 @@ public:
 
     /// Queues the objects of the nodes found.
     /// @param bounds are widened by what was queued; may be null
+    /// @param batches take what casters they can; null where each is queued by itself
     void queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
-               Ogre::VisibleObjectsBoundsInfo* bounds, bool onlyShadowCasters);
+               Ogre::VisibleObjectsBoundsInfo* bounds, bool onlyShadowCasters,
+               CasterBatches* batches);
 
 private:
     void fetchAhead(std::size_t position) const;

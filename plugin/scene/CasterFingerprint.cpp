@@ -14,12 +14,6 @@
 namespace Lixel {
 namespace {
 
-/// Whether shadow casters drawn for this pass are whole bodies in OGRE's caster material.
-bool drawsWhole(const Ogre::Pass& pass) {
-    return !cutsHoles(pass) && pass.getShadowCasterVertexProgramName().empty() &&
-           pass.getShadowCasterFragmentProgramName().empty();
-}
-
 bool isStaticData(const Ogre::VertexData* data) {
     if (data == nullptr) return true;
     return std::ranges::all_of(data->vertexBufferBinding->getBindings(), [](const auto& binding) {

@@ -14,6 +14,12 @@ inline bool cutsHoles(const Ogre::Pass& pass) {
             pass.getDestBlendFactor() == Ogre::SBF_ONE_MINUS_SOURCE_ALPHA);
 }
 
+/// Whether shadow casters drawn for this pass are whole bodies in OGRE's caster material.
+inline bool drawsWhole(const Ogre::Pass& pass) {
+    return !cutsHoles(pass) && pass.getShadowCasterVertexProgramName().empty() &&
+           pass.getShadowCasterFragmentProgramName().empty();
+}
+
 /// Whether a GPU program is one of Lixel's materials, by its name: it does nothing to vertices
 /// except transform them.
 inline bool isOwnProgram(const std::string& name) {

@@ -309,6 +309,52 @@ inline const Ogre::Pass* shadowReceiverPassOf(Ogre::SceneManager& manager) {
     return shadowRendererOf(manager).mShadowTextureCustomReceiverPass;
 }
 
+/// The programs that a scene manager's shadow caster material was given, empty where it has none.
+/// Until 12, OGRE lends its pass those of the surface that was drawn last.
+struct CasterPrograms {
+    const Ogre::String& vertex;
+    const Ogre::String& fragment;
+    Ogre::GpuProgramParametersSharedPtr fragmentParameters;
+};
+inline CasterPrograms casterProgramsOf(Ogre::SceneManager& manager) {
+    const Ogre::Pass* const pass = shadowCasterPassOf(manager);
+    static const Ogre::String none;
+    if (pass == nullptr) return {none, none, {}};
+#if OGRE_VERSION_MAJOR >= 13
+    return {pass->hasVertexProgram() ? pass->getVertexProgramName() : none,
+            pass->hasFragmentProgram() ? pass->getFragmentProgramName() : none,
+            pass->hasFragmentProgram() ? pass->getFragmentProgramParameters()
+                                       : Ogre::GpuProgramParametersSharedPtr()};
+#else
+    const auto& renderer = shadowRendererOf(manager);
+    return {renderer.mShadowTextureCustomCasterVertexProgram,
+            renderer.mShadowTextureCustomCasterFragmentProgram,
+            renderer.mShadowTextureCustomCasterFPParams};
+#endif
+}
+
+/// Whether render queues are drawn in their usual way: by groups, with state changes and shadows.
+inline bool drawsQueuesAsUsual([[maybe_unused]] const Ogre::SceneManager& manager,
+                               [[maybe_unused]] Ogre::Viewport& viewport) {
+    if (manager.isLateMaterialResolving()) return false;
+#if OGRE_VERSION_MAJOR >= 13
+    return true;
+#else
+    return viewport._getRenderQueueInvocationSequence() == nullptr &&
+           !manager._areRenderStateChangesSuppressed() && !manager._areShadowsSuppressed();
+#endif
+}
+
+/// Whether the render system draws everything several times, as instances of its own.
+inline bool hasGlobalInstances(const Ogre::RenderSystem& system) {
+#if OGRE_VERSION_MAJOR >= 14
+    return system.getGlobalInstanceCount() != 1;
+#else
+    return system.getGlobalNumberOfInstances() != 1 ||
+           system.getGlobalInstanceVertexBuffer() != nullptr;
+#endif
+}
+
 /// Whether a scene manager has listeners of levels of detail, which are private since 14.
 template <auto LodListeners>
 struct LodListenersAccess {

@@ -52,8 +52,9 @@ LIXEL_API std::string_view toString(PlanReason reason);
 LIXEL_API void redrawShadowMaps();
 
 /** Proof mode: maps that would be reused or skipped are drawn nevertheless, and compared with what
-    their textures held, bit for bit. Each difference is a line in the log. It is slow; off at
-    first. Decisions are published as they are without it.
+    their textures held, bit for bit. Maps whose casters LixelSceneManager draws in batches are
+    drawn once more, with each caster by itself, and compared. Each difference is a line in the log.
+    It is slow; off at first. Decisions are published as they are without it.
     @param wait called before a texture is read, where the driver does not wait by itself until what
     was drawn is there: `glFinish`, with Mesa's software renderers
 */
@@ -62,7 +63,10 @@ LIXEL_API bool isProofMode();
 
 /// Since proof mode was set.
 struct ProofCount {
+    /// Reused or skipped, and drawn nevertheless.
     std::size_t maps = 0;
+    /// Drawn in batches, and drawn again without.
+    std::size_t batched = 0;
     /// With a texel that differs.
     std::size_t different = 0;
 };

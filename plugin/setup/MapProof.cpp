@@ -14,6 +14,21 @@ bool isOn = false;
 std::function<void()> waitForDrawing;
 ProofCount counted;
 
+/// @param before what the texture held before it was drawn once more
+void compare(const Ogre::Texture& texture, const std::vector<std::uint8_t>& before,
+             const std::string& what, const std::string& how) {
+    const std::vector<std::uint8_t> drawn = readTexels(texture);
+    if (drawn == before) return;
+    ++counted.different;
+    const std::size_t size = Ogre::PixelUtil::getNumElemBytes(texture.getFormat());
+    std::size_t texels = 0;
+    for (std::size_t texel = 0; texel + size <= drawn.size() && texel + size <= before.size();
+         texel += size)
+        if (!std::equal(&drawn[texel], &drawn[texel] + size, &before[texel])) ++texels;
+    logWarning("proof mode: shadow map '" + texture.getName() + "' " + what + ", and " +
+               std::to_string(texels) + " of its texels are different when it is drawn " + how);
+}
+
 } // namespace
 
 void setProofMode(bool on, const std::function<void()>& wait) {
@@ -44,16 +59,12 @@ std::vector<std::uint8_t> readTexels(const Ogre::Texture& texture) {
 
 void proveMap(const Ogre::Texture& texture, const std::vector<std::uint8_t>& kept) {
     ++counted.maps;
-    const std::vector<std::uint8_t> drawn = readTexels(texture);
-    if (drawn == kept) return;
-    ++counted.different;
-    const std::size_t size = Ogre::PixelUtil::getNumElemBytes(texture.getFormat());
-    std::size_t texels = 0;
-    for (std::size_t texel = 0; texel + size <= drawn.size() && texel + size <= kept.size();
-         texel += size)
-        if (!std::equal(&drawn[texel], &drawn[texel] + size, &kept[texel])) ++texels;
-    logWarning("proof mode: shadow map '" + texture.getName() + "' would have been kept, and " +
-               std::to_string(texels) + " of its texels are different when it is drawn anew");
+    compare(texture, kept, "would have been kept", "anew");
+}
+
+void proveBatchedMap(const Ogre::Texture& texture, const std::vector<std::uint8_t>& batched) {
+    ++counted.batched;
+    compare(texture, batched, "was drawn with casters in batches", "with each by itself");
 }
 
 } // namespace Lixel

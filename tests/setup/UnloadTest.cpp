@@ -65,6 +65,78 @@ TEST(Unload, NothingIsCalledThatIsGone) {
     root.destroySceneManager(manager);
 }
 
+/// Six cubes before a sun, in Lixel's scene manager.
+Ogre::SceneManager* makeCubes(Ogre::Root& root, Ogre::RenderWindow& window) {
+    Ogre::SceneManager* const manager = root.createSceneManager("LixelSceneManager");
+    Ogre::SceneNode* const world = manager->getRootSceneNode();
+    Ogre::Camera* const camera = manager->createCamera("");
+    camera->setNearClipDistance(1);
+    world->createChildSceneNode(Ogre::Vector3(0, 100, 800))->attachObject(camera);
+    window.addViewport(camera);
+    manager->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
+    manager->setShadowTextureSettings(64, 1, Ogre::PF_FLOAT32_R);
+    manager->setShadowTextureSelfShadow(true);
+    manager->setShadowFarDistance(2000);
+    manager->setShadowTextureCasterMaterial(
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster"));
+    Ogre::Light* const sun = manager->createLight();
+    sun->setType(Ogre::Light::LT_DIRECTIONAL);
+    Ogre::SceneNode* const node = world->createChildSceneNode();
+    node->attachObject(sun);
+    node->setDirection(Ogre::Vector3(-1, -2, 0), Ogre::Node::TS_WORLD);
+    for (int i = 0; i < 6; ++i) {
+        Ogre::Entity* const cube = manager->createEntity(Ogre::SceneManager::PT_CUBE);
+        cube->setMaterialName("Lixel/Surface/Integrated");
+        world->createChildSceneNode(Ogre::Vector3(150.0f * static_cast<float>(i) - 375, 0, 0))
+            ->attachObject(cube);
+    }
+    return manager;
+}
+
+std::size_t countBatchMaterials() {
+    std::size_t count = 0;
+    for (const auto& [handle, material] :
+         Ogre::MaterialManager::getSingleton().getResourceIterator())
+        if (material->getName().compare(0, 12, "Lixel/Batch/") == 0) ++count;
+    return count;
+}
+
+/// What Lixel's scene manager made with the render system goes with the plugin, or with OGRE.
+class BatchesEnd : public testing::TestWithParam<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(Unloads, BatchesEnd, testing::Bool());
+
+TEST_P(BatchesEnd, LeaveNothing) {
+    unsetenv("DISPLAY");
+    ASSERT_EQ(Headless::enable(), "");
+    Ogre::LogManager logs;
+    logs.createLog("", true, false, true);
+    Ogre::Root root("", "", "");
+    root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
+    const Ogre::String plugin = LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
+    root.loadPlugin(plugin);
+    Ogre::RenderWindow* const window = openWindow(root);
+    Ogre::ResourceGroupManager& groups = Ogre::ResourceGroupManager::getSingleton();
+    for (const char* folder :
+         {LIXEL_MATERIALS_DIR "/scripts", LIXEL_MATERIALS_DIR "/programs/glsl"})
+        groups.addResourceLocation(folder, "FileSystem");
+    groups.addResourceLocation(OGRE_SHADOW_MEDIA, "FileSystem", Ogre::RGN_INTERNAL);
+    groups.initialiseAllResourceGroups();
+    Ogre::SceneManager* const manager = makeCubes(root, *window);
+    for (int frame = 0; frame < 3; ++frame)
+        root.renderOneFrame();
+    EXPECT_EQ(
+        manager->getShadowTexture(0)->getBuffer()->getRenderTarget()->getStatistics().batchCount,
+        1U);
+    EXPECT_GT(countBatchMaterials(), 0U);
+    if (!GetParam()) return;
+    window->removeAllViewports();
+    root.unloadPlugin(plugin);
+    EXPECT_TRUE(root.getSceneManagers().empty());
+    EXPECT_EQ(countBatchMaterials(), 0U);
+    root.renderOneFrame();
+}
+
 /// OGRE takes two spellings of a path for two plugins.
 TEST(Load, TwiceIsOnce) {
     unsetenv("DISPLAY");

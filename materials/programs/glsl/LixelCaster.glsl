@@ -4,6 +4,9 @@
 //     depth = lixelCasterDepthOf(gl_Position);
 uniform vec4 lixelCasterDepth; // stored depth = x * clip z + y
 
+// Casters drawn one by one and as instances agree on each bit.
+invariant gl_Position;
+
 // Where the surface's texture is read, if its alpha cuts holes. For other surfaces it need not be set.
 out vec2 lixelCasterUv;
 
