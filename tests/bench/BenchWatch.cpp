@@ -65,6 +65,7 @@ void BenchWatch::preRenderTargetUpdate(const Ogre::RenderTargetEvent&) {
 }
 
 void BenchWatch::postRenderTargetUpdate(const Ogre::RenderTargetEvent&) {
+    mTimes.mapCalls += microsecondsSince(mMapBegin);
     finishIfAsked();
     if (mFinishes) mTimes.map += microsecondsSince(mMapBegin);
 }

@@ -20,6 +20,7 @@ struct BenchTimes {
     double find = 0;
     double findMap = 0;
     double map = 0;
+    double mapCalls = 0; ///< the same, until the last call was made
 };
 
 /// Times a scene's frames and their parts.
