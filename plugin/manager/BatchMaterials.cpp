@@ -1,5 +1,6 @@
 #include "manager/BatchMaterials.h"
 
+#include "scene/CasterPass.h"
 #include "scene/Log.h"
 #include "scene/OgreVersions.h"
 
@@ -77,7 +78,10 @@ bool BatchMaterials::follow(Ogre::SceneManager& manager) {
     mManager = &manager;
     const Ogre::Pass* const pass = shadowCasterPassOf(manager);
     const CasterPrograms programs = casterProgramsOf(manager);
-    if (pass == nullptr || programs.vertex != SingleProgram || !drawsOnce(*pass)) return false;
+    // Another fragment program may store what depends on the order, or on texture coordinates.
+    if (pass == nullptr || programs.vertex != SingleProgram || !isOwnProgram(programs.fragment) ||
+        !drawsOnce(*pass))
+        return false;
     // OGRE sets the one's culling, and draws the other.
     const Ogre::Technique* const technique = pass->getParent()->getParent()->getBestTechnique();
     if (technique == nullptr || technique->getPass(0) != pass) return false;

@@ -34,6 +34,8 @@ bool CasterBatches::begin(Ogre::SceneManager& manager, const Ogre::Camera& camer
     const Ogre::RenderSystem& system = *Ogre::Root::getSingleton().getRenderSystem();
     if (camera.getPolygonMode() != Ogre::PM_SOLID || camera.isWindowSet() ||
         !drawsQueuesAsUsual(manager, viewport) || hasGlobalInstances(system) ||
+        // Integers cannot be blended: there the order of drawing decides.
+        Ogre::PixelUtil::isInteger(viewport.getTarget()->suggestPixelFormat()) ||
         queue.getRenderableListener() != nullptr || hasForeignListener(manager) ||
         !mMaterials.follow(manager))
         return false;

@@ -175,6 +175,29 @@ TEST_P(CasterApart, IsDrawnByItself) {
     EXPECT_EQ(batched.drawCalls(), KindsOfCasters + 1);
 }
 
+/// Lixel's, by other names.
+void makeTestPrograms() {
+    auto& programs = Ogre::HighLevelGpuProgramManager::getSingleton();
+    if (programs.resourceExists("Test/CasterVP", Ogre::RGN_DEFAULT)) return;
+    const auto vertex =
+        createProgram("Test/CasterVP", Ogre::RGN_DEFAULT, "glsl", Ogre::GPT_VERTEX_PROGRAM);
+    vertex->setSourceFile("LixelCaster.vert");
+    vertex->getDefaultParameters()->addSharedParameters("Lixel/Caster");
+    vertex->getDefaultParameters()->setNamedAutoConstant(
+        "worldViewProj", Ogre::GpuProgramParameters::ACT_WORLDVIEWPROJ_MATRIX);
+    createProgram("Test/CasterFP", Ogre::RGN_DEFAULT, "glsl", Ogre::GPT_FRAGMENT_PROGRAM)
+        ->setSourceFile("LixelCaster.frag");
+}
+
+void wearCaster(BatchScene& scene, const std::string& vertex, const std::string& fragment) {
+    const Ogre::MaterialPtr caster = Ogre::MaterialManager::getSingleton()
+                                         .getByName("Lixel/Caster", "Lixel")
+                                         ->clone("Other caster of " + scene.manager().getName());
+    caster->getTechnique(0)->getPass(0)->setVertexProgram(vertex);
+    caster->getTechnique(0)->getPass(0)->setFragmentProgram(fragment);
+    scene.manager().setShadowTextureCasterMaterial(caster);
+}
+
 /// Something for which all casters are drawn by themselves.
 const std::vector<Apart>& singleDraws() {
     static BatchTestListener listener;
@@ -199,16 +222,13 @@ const std::vector<Apart>& singleDraws() {
                  ->getCamera()
                  ->setPolygonMode(Ogre::PM_WIREFRAME);
          }},
-        {"OtherCaster",
+        {"OtherVertexProgram",
          [](BatchScene& s) {
-             const Ogre::MaterialPtr caster =
-                 Ogre::MaterialManager::getSingleton()
-                     .getByName("Lixel/Caster", "Lixel")
-                     ->clone("Other caster of " + s.manager().getName());
-             caster->getTechnique(0)->getPass(0)->setVertexProgram(
-                 s.manager().getCasterBatches() ? "Test/CasterVP" : "Lixel/CasterVP");
-             s.manager().setShadowTextureCasterMaterial(caster);
+             wearCaster(s, s.manager().getCasterBatches() ? "Test/CasterVP" : "Lixel/CasterVP",
+                        "Lixel/CasterFP");
          }},
+        {"OtherFragmentProgram",
+         [](BatchScene& s) { wearCaster(s, "Lixel/CasterVP", "Test/CasterFP"); }},
     };
     return all;
 }
@@ -218,23 +238,10 @@ class SingleDraws : public testing::TestWithParam<Apart> {};
 INSTANTIATE_TEST_SUITE_P(With, SingleDraws, testing::ValuesIn(singleDraws()),
                          [](const auto& test) { return test.param.name; });
 
-/// Lixel's, by another name.
-void makeTestProgram() {
-    auto& programs = Ogre::HighLevelGpuProgramManager::getSingleton();
-    if (programs.resourceExists("Test/CasterVP", Ogre::RGN_DEFAULT)) return;
-    const auto program = programs.createProgram("Test/CasterVP", Ogre::RGN_DEFAULT, "glsl",
-                                                Ogre::GPT_VERTEX_PROGRAM);
-    program->setSourceFile("LixelCaster.vert");
-    const auto parameters = program->getDefaultParameters();
-    parameters->addSharedParameters("Lixel/Caster");
-    parameters->setNamedAutoConstant("worldViewProj",
-                                     Ogre::GpuProgramParameters::ACT_WORLDVIEWPROJ_MATRIX);
-}
-
 TEST_P(SingleDraws, AreAsWithoutBatches) {
     BatchScene batched(true);
     BatchScene single(false);
-    makeTestProgram();
+    makeTestPrograms();
     for (BatchScene* scene : {&single, &batched}) {
         drawFirst(*scene);
         GetParam().make(*scene);
@@ -288,6 +295,7 @@ TEST(CasterBatches, AreNotDrawnWhereTheRenderSystemCannot) {
 }
 
 TEST(CasterBatches, AreNothingToWarnOf) {
+    ogreWithManagers();
     const BatchLog log;
     BatchScene scene(true);
     for (int frame = 0; frame < 10; ++frame)
