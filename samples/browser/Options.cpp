@@ -24,8 +24,12 @@ void parseSize(const std::string& text, BrowserOptions& options) {
     options.height = height;
 }
 
-/// "AZIMUTH,ELEVATION" in degrees.
+/// "AZIMUTH,ELEVATION" in degrees, or a name, which has no comma.
 void parseLight(const std::string& text, BrowserOptions& options) {
+    if (text.find(',') == std::string::npos) {
+        options.lightName = text;
+        return;
+    }
     char rest = 0;
     float azimuth = 0;
     float elevation = 0;
@@ -69,7 +73,7 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
         ->check(CLI::Range(1, 100000));
     app.add_option_function<std::string>(
         "--light", [&](const std::string& text) { parseLight(text, options); },
-        "Sun's AZIMUTH,ELEVATION in degrees");
+        "Sun's AZIMUTH,ELEVATION in degrees, or the name of one of the sample's lights");
     app.add_option("--view", options.view, "View of the sample, from 1")
         ->check(CLI::Range(1, 1000));
     app.add_option("--output", options.output, "PNG to write: at once when headless, else at F12");
@@ -102,6 +106,16 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
     const std::string wrong = wrongAssignment(*findShadowSetup(options.setup), options.assignments);
     if (!wrong.empty()) return complain(wrong);
     return options;
+}
+
+std::optional<SampleLight> askedLight(const BrowserOptions& options, const SampleScene& scene,
+                                      const SampleView& view) {
+    if (!options.lightName.empty()) return findLight(scene, view, options.lightName);
+    if (!options.azimuthElevation) return defaultLight(scene, view);
+    SampleLight sun =
+        sunlight("sun", options.azimuthElevation->first, options.azimuthElevation->second);
+    sun.shadowPreset = scene.lights.front().shadowPreset;
+    return sun;
 }
 
 void printNames() {

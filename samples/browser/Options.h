@@ -25,7 +25,8 @@ struct BrowserOptions {
     int height = 600;
     int frames = 10;
     std::optional<std::pair<float, float>> azimuthElevation;
-    int view = 1; ///< counted from 1
+    std::string lightName; ///< instead; empty for neither: the view's own light
+    int view = 1;          ///< counted from 1
     std::string output;
     std::string stats;
     std::string comparison;
@@ -40,6 +41,10 @@ struct BrowserOptions {
     (help, or what is wrong with the arguments).
 */
 std::variant<BrowserOptions, int> parseOptions(int argc, char** argv);
+
+/// The light that was asked for; null where the scene has none of that name.
+std::optional<SampleLight> askedLight(const BrowserOptions& options, const SampleScene& scene,
+                                      const SampleView& view);
 
 /// Prints the names that --sample and --setup know, under the headings "Samples:" and "Setups:".
 void printNames();

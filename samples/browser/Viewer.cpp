@@ -124,8 +124,8 @@ private:
         const SampleView& view = mScene.views[choice];
         mView = choice;
         mStage.setView(view);
-        // A sun that was asked for stays.
-        if (!mOptions.azimuthElevation) mStage.setLight(defaultLight(mScene, view));
+        // A light that was asked for stays, unless it is another view's own.
+        mStage.setLight(askedLight(mOptions, mScene, view).value_or(defaultLight(mScene, view)));
         showTitle();
     }
 

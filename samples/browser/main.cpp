@@ -1,6 +1,7 @@
 #include "browser/Options.h"
 #include "browser/Report.h"
 #include "browser/Viewer.h"
+#include "common/Names.h"
 #include "common/OptionsTable.h"
 
 #include <Lixel/headless/Headless.h>
@@ -25,16 +26,6 @@ public:
     }
 };
 
-/// The sun that was asked for, or the view's light.
-SampleLight lightFor(const BrowserOptions& options, const SampleScene& scene,
-                     const SampleView& view) {
-    if (!options.azimuthElevation) return defaultLight(scene, view);
-    SampleLight sun =
-        sunlight("sun", options.azimuthElevation->first, options.azimuthElevation->second);
-    sun.shadowPreset = scene.lights.front().shadowPreset;
-    return sun;
-}
-
 int show(Stage& stage, const BrowserOptions& options) {
     const SampleScene scene = options.modelFile.empty() ? *findSampleScene(options.sample)
                                                         : modelScene(options.modelFile);
@@ -44,9 +35,15 @@ int show(Stage& stage, const BrowserOptions& options) {
         return 2;
     }
     const SampleView& view = scene.views[static_cast<std::size_t>(options.view) - 1];
+    const std::optional<SampleLight> light = askedLight(options, scene, view);
+    if (!light) {
+        fmt::print(stderr, "lixel-browser: {}\n",
+                   noneOfThatName("light", options.lightName, scene.lights));
+        return 2;
+    }
     stage.show(scene);
     stage.setView(view);
-    stage.setLight(lightFor(options, scene, view));
+    stage.setLight(*light);
     stage.setShadowMapSize(options.mapSize);
     Lixel::MapBudget budget;
     budget.maps = static_cast<std::size_t>(options.budget);

@@ -24,14 +24,13 @@ constexpr std::array Turns{-0.4F, 0.4F};
 /// setup nor map.
 class Case {
 public:
-    Case(Stage& stage, const ShadowOracle& oracle, const SampleScene& scene,
-         const SampleLight& light, std::span<const SampleView> views)
+    /// @param light index into the scene's
+    Case(Stage& stage, const ShadowOracle& oracle, const SampleScene& scene, std::size_t light,
+         std::span<const SampleView> views)
         : mStage(stage) {
         for (const float turn : Turns) {
             for (const SampleView& view : views) {
-                // A view's own light stands for the scene's first.
-                const bool own = view.light && &light == &scene.lights.front();
-                mPoses.push_back({view, own ? *view.light : light, turn, {}});
+                mPoses.push_back({view, lightOf(scene, view, light), turn, {}});
                 apply(mPoses.back());
                 const Eigen::Vector3d& origin = oracle.scene().wsOrigin;
                 mPoses.back().truth = oracle.classify(
@@ -124,14 +123,15 @@ std::vector<ComparedCase> compareSetups(Stage& stage, const SampleScene& scene,
     const ShadowOracle oracle(collectTriangles(stage.sceneManager()));
     std::vector<ComparedCase> cases;
     ReasonObserver observer;
-    for (const SampleLight& light : scene.lights) {
+    for (std::size_t light = 0; light < scene.lights.size(); ++light) {
         if (cases.size() == lights) break;
+        const std::string& name = scene.lights[light].name;
         const Case one(stage, oracle, scene, light, views);
         // From large to small. On very coarse maps shadows vanish; the error then only measures the
         // shadowed area.
         ComparedCase best;
         best.scene = scene.name;
-        best.light = light.name;
+        best.light = name;
         for (const int size : MapSizes) {
             // One turn finds the size, all of them confirm it.
             if (one.errorOf(baseline, size, false) < LeastError) continue;
@@ -144,7 +144,7 @@ std::vector<ComparedCase> compareSetups(Stage& stage, const SampleScene& scene,
             break;
         }
         if (best.mapSize == 0) {
-            leftOut(scene.name + ", " + light.name);
+            leftOut(scene.name + ", " + name);
             continue;
         }
         best.error = one.errorOf(setup, best.mapSize, true);

@@ -48,8 +48,29 @@ SampleLight sunlight(const std::string& name, float azimuthDegrees, float elevat
     return light;
 }
 
-const SampleLight& defaultLight(const SampleScene& scene, const SampleView& view) {
-    return view.light ? *view.light : scene.lights.front();
+Ogre::Radian headingOf(const SampleView& view) {
+    const Ogre::Vector3 ahead = view.target - view.position;
+    return Ogre::Radian(std::atan2(-ahead.x, -ahead.z));
+}
+
+SampleLight lightOf(const SampleScene& scene, const SampleView& view, std::size_t index) {
+    if (index == 0 && view.light) return *view.light;
+    SampleLight light = scene.lights.at(index);
+    if (!light.turnsWithView) return light;
+    light.direction = Ogre::Quaternion(headingOf(view), Ogre::Vector3::UNIT_Y) * light.direction;
+    light.turnsWithView = false;
+    return light;
+}
+
+std::optional<SampleLight> findLight(const SampleScene& scene, const SampleView& view,
+                                     const std::string& name) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (SampleLight light = lightOf(scene, view, i); light.name == name) return light;
+    return std::nullopt;
+}
+
+SampleLight defaultLight(const SampleScene& scene, const SampleView& view) {
+    return lightOf(scene, view, 0);
 }
 
 void applyView(const SampleView& view, Ogre::Camera& camera) {

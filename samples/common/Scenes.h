@@ -23,6 +23,8 @@ struct SampleLight {
     Ogre::ColourValue colour = Ogre::ColourValue(1.0F, 0.97F, 0.9F);
     /// In scenes of OGRE's shader system: the `shadow_camera_setup` of a script that goes with it.
     std::string shadowPreset{};
+    /// Directional: `direction` is meant for a view along -z, and turns about y with each view.
+    bool turnsWithView = false;
 };
 
 /// What is not lit by a scene's light.
@@ -83,8 +85,20 @@ SampleScene modelScene(const std::string& path);
 */
 SampleLight sunlight(const std::string& name, float azimuthDegrees, float elevationDegrees);
 
-/// The light under which a view is shown unless another is asked for.
-const SampleLight& defaultLight(const SampleScene& scene, const SampleView& view);
+/// How far a view is turned about y from one along -z.
+Ogre::Radian headingOf(const SampleView& view);
+
+/** One of a scene's lights as it stands for one of its views, by index into SampleScene::lights.
+
+    A view's own light stands for the first. A light that turns with views is turned.
+    @exception std::out_of_range without such a light
+*/
+SampleLight lightOf(const SampleScene& scene, const SampleView& view, std::size_t index);
+/// The same by its name; null when there is none.
+std::optional<SampleLight> findLight(const SampleScene& scene, const SampleView& view,
+                                     const std::string& name);
+/// The light under which a view is shown unless another is asked for: the first.
+SampleLight defaultLight(const SampleScene& scene, const SampleView& view);
 
 /// Puts a camera, which a scene node of its own carries, where the view is. Leaves its aspect
 /// ratio.

@@ -73,8 +73,7 @@ void measureScene(const SampleScene& scene, const TableOptions& options,
         stage.setView(view);
         emulation.setView(oracleView(stage.camera(), options.width, options.height, reach, origin));
         for (std::size_t l = 0; l < lights; ++l) {
-            // A view's own light stands for the scene's first.
-            const SampleLight& light = l == 0 ? defaultLight(scene, view) : scene.lights[l];
+            const SampleLight light = lightOf(scene, view, l);
             stage.setLight(light);
             emulation.setLight(oracleLight(stage.light(), origin));
             TableCase one{scene.name,

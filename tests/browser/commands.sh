@@ -80,7 +80,14 @@ refuses 2 "there are: field" --headless --sample nowhere
 refuses 2 "there are: Uniform" --headless --setup Magic
 refuses 2 "no view 99" --headless --sample duel --view 99
 refuses 105 "800x600" --headless --size wide
-refuses 105 "120,30" --headless --light sideways
+refuses 105 "120,30" --headless --light 120,steep
+refuses 2 "there are: afternoon" --headless --light sideways
+# A light by its name is the sun that stands there.
+for light in nearly-against 168,9; do
+    "$browser" --headless --sample duel --light $light --map 128 --size 160x120 --frames 1 \
+        --output "$light.png" >/dev/null
+done
+cmp -s nearly-against.png 168,9.png || fail "the light named nearly-against is another one"
 refuses 1 "no window can be opened" --sample duel
 printf 'this is no model' >broken.gltf
 refuses 1 "broken.gltf" --headless --scene broken.gltf

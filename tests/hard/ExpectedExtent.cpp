@@ -69,8 +69,7 @@ Summary summaryOf(const SampleScene& sample) {
     for (const SampleView& view : sample.views) {
         stage.setView(view);
         for (std::size_t i = 0; i < sample.lights.size(); ++i) {
-            // A view's own light stands for the scene's first.
-            stage.setLight(i == 0 ? defaultLight(sample, view) : sample.lights[i]);
+            stage.setLight(lightOf(sample, view, i));
             ExpectedExtent extent;
             stage.setShadowSetup(std::make_shared<ExtentSetup>(extent));
             stage.drawFrame();

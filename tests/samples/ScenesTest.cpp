@@ -359,6 +359,42 @@ TEST(SampleScenes, TheMinersLampIsAtTheViewersTemple) {
     }
 }
 
+TEST(SampleLights, TurnWithTheirView) {
+    SampleScene sample;
+    sample.lights = {sunlight("fixed", 0.0F, 30.0F), sunlight("against", 180.0F, 30.0F)};
+    sample.lights[1].turnsWithView = true;
+    const auto look = [](const Vector3& along) {
+        const Vector3 eye(5, 6, 7);
+        return SampleView{"", eye, eye + along, 1.0F, 50.0F, 40.0F, {}};
+    };
+    for (const Vector3& along : {Vector3(0, 0, -1), Vector3(1, 0.3F, 0), Vector3(-2, -1, 3)}) {
+        const SampleView view = look(along);
+        EXPECT_EQ(lightOf(sample, view, 0).direction, sample.lights[0].direction);
+        const Vector3 direction = lightOf(sample, view, 1).direction;
+        EXPECT_NEAR(direction.y, -0.5F, 1e-6F);
+        // It travels towards the viewer.
+        const Vector3 ahead = Vector3(along.x, 0, along.z).normalisedCopy();
+        EXPECT_NEAR(direction.dotProduct(ahead), -std::sqrt(0.75F), 1e-6F);
+    }
+    EXPECT_EQ(lightOf(sample, look({0, 0, -1}), 1).direction, sample.lights[1].direction);
+    // There is no telling where a view straight down heads for.
+    EXPECT_NEAR(lightOf(sample, look({0, -1, 0}), 1).direction.length(), 1.0F, 1e-6F);
+    EXPECT_THROW(lightOf(sample, look({1, 0, 0}), 2), std::out_of_range);
+}
+
+TEST(SampleLights, AreFoundByNameAndAViewsOwnStandsForTheFirst) {
+    SampleScene sample;
+    sample.lights = {sunlight("first", 0.0F, 30.0F), sunlight("second", 90.0F, 30.0F)};
+    SampleView view;
+    EXPECT_EQ(findLight(sample, view, "second")->direction, sample.lights[1].direction);
+    EXPECT_EQ(findLight(sample, view, "third"), std::nullopt);
+    view.light = sunlight("own", 45.0F, 10.0F);
+    EXPECT_EQ(defaultLight(sample, view).name, "own");
+    EXPECT_EQ(findLight(sample, view, "own")->direction, view.light->direction);
+    EXPECT_EQ(findLight(sample, view, "first"), std::nullopt);
+    EXPECT_EQ(lightOf(sample, view, 1).name, "second");
+}
+
 using MakeSurface = OgreTest;
 
 TEST_F(MakeSurface, ColoursEveryPassAndReplacesItsName) {
