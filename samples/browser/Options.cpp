@@ -1,27 +1,22 @@
 #include "browser/Options.h"
 
 #include "common/Names.h"
+#include "common/PictureSize.h"
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/core.h>
 
 #include <cmath>
-#include <cstdio>
 
 namespace Lixel::Samples {
 namespace {
 
-/// "WxH", both from 1 to 16384.
 void parseSize(const std::string& text, BrowserOptions& options) {
-    char rest = 0;
-    int width = 0;
-    int height = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 ||
-        height < 1 || width > 16384 || height > 16384)
-        throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT, such as 800x600");
-    options.width = width;
-    options.height = height;
+    const std::optional<PictureSize> size = parsePictureSize(text);
+    if (!size) throw CLI::ValidationError("--size", noPictureSize(text));
+    options.width = size->width;
+    options.height = size->height;
 }
 
 /// "AZIMUTH,ELEVATION" in degrees, or a name, which has no comma.

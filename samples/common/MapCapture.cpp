@@ -71,6 +71,7 @@ std::vector<EmulatedMap> MapCapture::capture(const NamedSetup& setup, int mapSiz
     const int frames = fitted ? 1 : SettlingFrames;
     for (int i = 0; i < frames; ++i) {
         mMaps.assign(setup.maps, EmulatedMap{});
+        mReason = FitReason::None;
         mStage.drawFrame();
     }
     if (setup.splitDepths) {
@@ -85,6 +86,7 @@ std::vector<EmulatedMap> MapCapture::capture(const NamedSetup& setup, int mapSiz
 
 void MapCapture::shadowMapFitted(const ShadowMap& map) {
     if (&map.light != &mStage.light() || map.iteration >= mMaps.size()) return;
+    if (mReason == FitReason::None) mReason = map.fit.reason;
     EmulatedMap& emulated = mMaps[map.iteration];
     emulated.width = map.width;
     emulated.height = map.height;

@@ -26,11 +26,16 @@ public:
         OGRE's setups use what was visible in the frame before, so they get as many frames as it
         takes until that no longer changes.
         @param mapSize side of the map in texels; several maps share as many texels
-        @param shadowDistance view-space depth that shadows reach, for setups that split the view
+        @param shadowDistance view-space depth that shadows reach, for setups that split the view;
+        0: any
         @param wsOrigin what the emulation's positions are relative to, in world coordinates
     */
     std::vector<EmulatedMap> capture(const NamedSetup& setup, int mapSize, double shadowDistance,
                                      const Eigen::Vector3d& wsOrigin);
+
+    /// What kept the fits of the last capture from their ideal, such as "warp clamped"; of several
+    /// maps the first that says something, "none" where none does.
+    std::string reason() const { return toString(mReason); }
 
 private:
     void shadowMapFitted(const ShadowMap& map) override;
@@ -42,6 +47,7 @@ private:
     bool mClampsDepth = false;
     Eigen::Vector3d mOrigin = Eigen::Vector3d::Zero();
     std::vector<EmulatedMap> mMaps;
+    FitReason mReason = FitReason::None;
 };
 
 } // namespace Lixel::Samples

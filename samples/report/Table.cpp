@@ -6,6 +6,7 @@
 
 #include <OgrePrerequisites.h>
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -76,14 +77,14 @@ void measureScene(const SampleScene& scene, const TableOptions& options,
             const SampleLight light = lightOf(scene, view, l);
             stage.setLight(light);
             emulation.setLight(oracleLight(stage.light(), origin));
-            TableCase one{scene.name,
-                          view.name,
-                          light.name,
-                          light.kind == SampleLight::Kind::Directional,
-                          {}};
-            for (const NamedSetup& setup : options.setups)
+            TableCase one{scene.name, view.name,
+                          light.name, light.kind == SampleLight::Kind::Directional,
+                          {},         v + 1};
+            for (const NamedSetup& setup : options.setups) {
                 one.errors.push_back(
                     emulation.error(capture.capture(setup, options.mapSize, reach, origin)));
+                one.reasons.push_back(capture.reason());
+            }
             cases.push_back(std::move(one));
         }
         const std::chrono::duration<double, std::milli> passed =
@@ -98,7 +99,8 @@ void measureScene(const SampleScene& scene, const TableOptions& options,
 std::vector<TableCase> measureTable(const TableOptions& options) {
     std::vector<TableCase> cases;
     for (const SampleScene& scene : measuredScenes())
-        measureScene(scene, options, cases);
+        if (options.kinds.empty() || std::ranges::count(options.kinds, scene.name) > 0)
+            measureScene(scene, options, cases);
     if (!options.modelFile.empty()) measureScene(modelScene(options.modelFile), options, cases);
     return cases;
 }
@@ -184,19 +186,32 @@ std::string describeRatio(const std::vector<TableCase>& cases, std::size_t setup
     return describe(ratioOf(tellingCases(cases, baseline), setup, baseline));
 }
 
-void writeCases(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
+void writeCases(const TableOptions& options, const std::vector<TableCase>& cases,
                 const std::string& file) {
-    std::ofstream stream(file);
-    stream << "scene,view,light";
-    for (const NamedSetup& setup : setups)
-        stream << ',' << setup.name;
-    stream << '\n';
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const TableCase& one : cases) {
-        stream << one.scene << ',' << one.view << ',' << one.light;
-        for (const ClassificationError& error : one.errors)
-            stream << ',' << error.error;
-        stream << '\n';
+        nlohmann::ordered_json row{{"scene", one.scene},
+                                   {"view", one.view},
+                                   {"view_number", one.viewNumber},
+                                   {"light", one.light},
+                                   {"sun", one.sun},
+                                   {"pixels_counted", one.errors.at(0).counted()},
+                                   {"pixels_shadowed", one.errors.at(0).shadowed}};
+        for (std::size_t i = 0; i < options.setups.size(); ++i)
+            row["setups"][options.setups[i].name] = {{"error_percent", one.errors.at(i).error},
+                                                     {"acne_percent", one.errors.at(i).acne},
+                                                     {"leak_percent", one.errors.at(i).leak},
+                                                     {"reason", one.reasons.at(i)}};
+        rows.push_back(std::move(row));
     }
+    const nlohmann::ordered_json all{{"ogre", fmt::format("{}.{}.{}", OGRE_VERSION_MAJOR,
+                                                          OGRE_VERSION_MINOR, OGRE_VERSION_PATCH)},
+                                     {"map", options.mapSize},
+                                     {"width", options.width},
+                                     {"height", options.height},
+                                     {"cases", std::move(rows)}};
+    std::ofstream stream(file);
+    stream << all.dump(1) << '\n';
     stream.flush();
     if (!stream) throw std::runtime_error("cannot write '" + file + "'");
 }

@@ -15,7 +15,8 @@ namespace Lixel::Samples {
 /// What a table is made of.
 struct TableOptions {
     std::vector<NamedSetup> setups = emulatedSetups();
-    std::string modelFile; ///< one more scene; empty for none
+    std::vector<std::string> kinds; ///< names of samples; empty for all that are measured
+    std::string modelFile;          ///< one more scene; empty for none
     std::size_t lights = 4;
     bool firstView = false; ///< the first view of each scene alone
     int mapSize = 1024;     ///< texels; several maps of a light share as many
@@ -30,6 +31,8 @@ struct TableCase {
     std::string light;
     bool sun = true;                         ///< directional
     std::vector<ClassificationError> errors; ///< in the order of the table's setups
+    std::size_t viewNumber = 1;              ///< of its scene's, from 1
+    std::vector<std::string> reasons{};      ///< of the setups' fits: MapCapture::reason
 };
 
 /// The errors of every setup in every scene; says on the error stream how far it is.
@@ -83,9 +86,9 @@ std::string describeRatio(const std::vector<TableCase>& cases, std::size_t setup
 /// Percent. About 25 pixels of a picture of 640 x 480: fewer depend on where texels happen to lie.
 constexpr double LeastBaseline = 0.01;
 
-/// Writes every case as comma separated values: scene, view, light, then one error per setup.
+/// Writes every case, with the error and the fit's reason of every setup, as JSON.
 /// @exception std::runtime_error where the file cannot be written
-void writeCases(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
+void writeCases(const TableOptions& options, const std::vector<TableCase>& cases,
                 const std::string& file);
 
 } // namespace Lixel::Samples

@@ -2,6 +2,7 @@
 
 #include "common/Comparison.h"
 #include "common/Names.h"
+#include "common/PictureSize.h"
 #include "common/Setups.h"
 #include "report/BestXpsm.h"
 #include "report/Budgets.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <span>
 
 using namespace Lixel::Samples;
@@ -35,7 +37,9 @@ struct Options {
     bool budgets = false;
     bool bestXpsm = false;
     bool casters = false;
-    std::string casesFile;
+    std::vector<std::string> kinds;
+    std::optional<PictureSize> size; ///< by emulation
+    std::string jsonFile;
 };
 
 /// One scene at a time: each gets a stage of its own. @param name empty for the model file.
@@ -63,9 +67,14 @@ int makeTable(const Options& options) {
         return 2;
     }
     TableOptions table;
+    table.kinds = options.kinds;
     table.modelFile = options.modelFile;
     table.lights = options.lights;
     table.firstView = options.firstView;
+    if (options.size) {
+        table.width = options.size->width;
+        table.height = options.size->height;
+    }
     try {
 #ifdef LIXEL_SAMPLES_RTSS
         if (options.casters) {
@@ -83,7 +92,7 @@ int makeTable(const Options& options) {
         }
         const std::vector<TableCase> cases = measureTable(table);
         printTable(setups, cases, static_cast<std::size_t>(baseline - setups.begin()));
-        if (!options.casesFile.empty()) writeCases(setups, cases, options.casesFile);
+        if (!options.jsonFile.empty()) writeCases(table, cases, options.jsonFile);
     } catch (const std::exception& error) {
         fmt::print(stderr, "lixel-report: {}\n", error.what());
         return 1;
@@ -104,6 +113,8 @@ int main(int argc, char** argv) {
     app.add_option("--baseline", options.baseline, "Setup to compare it with");
     app.add_option("--scene", options.modelFile, "A model file as one more scene");
     app.add_option("--lights", options.lights, "Lights of each scene")->check(CLI::PositiveNumber);
+    app.add_option("--kind", options.kinds,
+                   "A sample to measure instead of all; may be given several times");
     app.add_flag("--first-view", options.firstView, "The first view of each scene alone");
     // They judge no one setup.
     auto* const table = app.add_flag("--table", options.table,
@@ -121,9 +132,24 @@ int main(int argc, char** argv) {
                  "The garden's kinds of casters, each alone, beside OGRE's own shadows")
         ->excludes(assignments);
 #endif
-    app.add_option("--cases", options.casesFile, "With --table: a file for every case's errors")
+    app.add_option_function<std::string>(
+           "--size",
+           [&](const std::string& text) {
+               options.size = parsePictureSize(text);
+               if (!options.size) throw CLI::ValidationError("--size", noPictureSize(text));
+           },
+           "With --table: picture size, WxH; fewer pixels are measured faster")
+        ->needs(table);
+    app.add_option("--json", options.jsonFile, "With --table: a file for every case's errors, JSON")
         ->needs(table);
     CLI11_PARSE(app, argc, argv);
+    for (const std::string& kind : options.kinds) {
+        if (std::ranges::count(measuredScenes(), kind, &SampleScene::name) == 0) {
+            fmt::print(stderr, "lixel-report: {}\n",
+                       noneOfThatName("sample", kind, measuredScenes()));
+            return 2;
+        }
+    }
     if (options.table || options.bestXpsm || options.budgets || options.casters)
         return makeTable(options);
     for (const std::string& name : {options.setup, options.baseline}) {
@@ -137,9 +163,10 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "lixel-report: {}\n", wrong);
         return 2;
     }
-    std::vector<std::string> names;
-    for (const SampleScene& scene : measuredScenes())
-        names.push_back(scene.name);
+    std::vector<std::string> names = options.kinds;
+    if (names.empty())
+        for (const SampleScene& scene : measuredScenes())
+            names.push_back(scene.name);
     if (!options.modelFile.empty()) names.emplace_back();
 
     std::vector<double> ratios;
