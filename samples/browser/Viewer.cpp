@@ -23,7 +23,7 @@ namespace {
 
 /// Turn per pixel of mouse motion: half a window of 800 pixels is 80 degrees.
 constexpr float RadiansPerPixel = 0.0035F;
-/// Flying crosses the shadow distance in this many seconds.
+/// Flying crosses the shadow distance, or without one the view, in this many seconds.
 constexpr float SecondsAcross = 20.0F;
 
 /// Between two lines about maps in the title.
@@ -169,7 +169,9 @@ private:
         if (held(GLFW_KEY_E)) move.y += 1;
         if (move == Ogre::Vector3::ZERO) return;
         const bool faster = held(GLFW_KEY_LEFT_SHIFT) || held(GLFW_KEY_RIGHT_SHIFT);
-        const float speed = mScene.shadowDistance / SecondsAcross * (faster ? 5.0F : 1.0F);
+        const float across =
+            mScene.shadowDistance > 0 ? mScene.shadowDistance : mScene.views[mView].farDistance;
+        const float speed = across / SecondsAcross * (faster ? 5.0F : 1.0F);
         mStage.camera().getParentSceneNode()->translate(move.normalisedCopy() * speed * seconds,
                                                         Ogre::Node::TS_LOCAL);
     }

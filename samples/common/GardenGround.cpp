@@ -1,6 +1,6 @@
 #include "common/GardenGround.h"
 
-#include "common/MeshBuilder.h"
+#include "common/Terrain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,40 +18,11 @@ constexpr float GroundTexture = 2.4F; ///< metres that a texture covers
 /// The path lies above the ground, whose triangles are coarser.
 constexpr float PathAbove = 0.035F;
 
-Vector3 groundNormal(float x, float z) {
-    constexpr float Step = 0.05F;
-    return Vector3(gardenHeight(x - Step, z) - gardenHeight(x + Step, z), 2.0F * Step,
-                   gardenHeight(x, z - Step) - gardenHeight(x, z + Step))
-        .normalisedCopy();
+Ogre::MeshPtr meshOfGround(const Ogre::String& name, const GroundGrid& grid) {
+    MeshBuilder mesh;
+    grid.addTo(mesh);
+    return mesh.build(name);
 }
-
-/// Points of the ground in rows and columns.
-struct GroundGrid {
-    std::vector<Vector3> positions, normals;
-    std::vector<Vector2> uvs;
-    std::vector<uint32> indices;
-
-    void add(float x, float z, float above, const Vector2& uv) {
-        positions.push_back(onGarden(x, z, above));
-        normals.push_back(groundNormal(x, z));
-        uvs.push_back(uv);
-    }
-    /// Two triangles for each four points, facing up where columns go along +x and rows along +z.
-    void connect(uint32 rows, uint32 columns) {
-        for (uint32 row = 0; row + 1 < rows; ++row) {
-            for (uint32 column = 0; column + 1 < columns; ++column) {
-                const uint32 v = row * columns + column;
-                indices.insert(indices.end(),
-                               {v, v + columns, v + columns + 1, v, v + columns + 1, v + 1});
-            }
-        }
-    }
-    Ogre::MeshPtr build(const Ogre::String& name) const {
-        MeshBuilder mesh;
-        mesh.triangles(positions, normals, uvs, indices);
-        return mesh.build(name);
-    }
-};
 
 } // namespace
 
@@ -103,7 +74,7 @@ float distanceFrom(std::span<const Vector2> line, const Vector2& place) {
 }
 
 Ogre::MeshPtr gardenGround(const Ogre::String& name) {
-    GroundGrid grid;
+    GroundGrid grid(gardenHeight);
     const auto place = [](uint32 i) {
         return HalfGround * (2.0F * static_cast<float>(i) / static_cast<float>(GroundCells) - 1.0F);
     };
@@ -112,12 +83,12 @@ Ogre::MeshPtr gardenGround(const Ogre::String& name) {
             grid.add(place(column), place(row), 0.0F,
                      Vector2(place(column), place(row)) / GroundTexture);
     grid.connect(GroundCells + 1, GroundCells + 1);
-    return grid.build(name);
+    return meshOfGround(name, grid);
 }
 
 Ogre::MeshPtr gardenPath(const Ogre::String& name, std::span<const Vector2> line, float width) {
     constexpr uint32 Across = 5;
-    GroundGrid grid;
+    GroundGrid grid(gardenHeight);
     float along = 0.0F;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const Vector2 before = line[i > 0 ? i - 1 : 0];
@@ -131,7 +102,7 @@ Ogre::MeshPtr gardenPath(const Ogre::String& name, std::span<const Vector2> line
         }
     }
     grid.connect(static_cast<uint32>(line.size()), Across);
-    return grid.build(name);
+    return meshOfGround(name, grid);
 }
 
 } // namespace Lixel::Samples

@@ -9,20 +9,6 @@ using Ogre::Vector3;
 
 const std::string DuelPath = "Lixel/Samples/duel/";
 
-/// Posts, 2 apart, and two rails along x, from -half to half; half is whole.
-Ogre::MeshPtr fence(float half) {
-    MeshBuilder mesh;
-    const int bays = static_cast<int>(half);
-    for (int i = 0; i <= bays; ++i) {
-        const float x = 2.0F * static_cast<float>(i) - half;
-        mesh.boxOn({x, 0.0F, 0.0F}, 0.14F, 1.25F, 0.14F);
-        mesh.boxOn({x, 1.25F, 0.0F}, 0.2F, 0.05F, 0.2F);
-    }
-    for (const float height : {0.45F, 0.95F})
-        mesh.boxOn({0.0F, height, 0.11F}, 2.0F * half, 0.12F, 0.05F);
-    return mesh.build(DuelPath + "fence");
-}
-
 /// A row of columns that carry a beam, along x.
 Ogre::MeshPtr colonnade(int columns, float spacing) {
     MeshBuilder mesh;
@@ -65,7 +51,9 @@ void buildDuel(Ogre::SceneManager& sceneManager) {
     const auto stone = makeSurface(DuelPath + "stone", ColourValue(0.82F, 0.78F, 0.69F));
     const auto wood = makeSurface(DuelPath + "wood", ColourValue(0.55F, 0.41F, 0.29F));
     const auto clay = makeSurface(DuelPath + "clay", ColourValue(0.76F, 0.45F, 0.34F));
-    place(sceneManager, fence(40.0F), wood, {{0.0F, 0.0F, 22.0F}, 0.0F, 1.0F});
+    MeshBuilder fence;
+    addFence(fence, 40.0F);
+    place(sceneManager, fence.build(DuelPath + "fence"), wood, {{0.0F, 0.0F, 22.0F}, 0.0F, 1.0F});
     place(sceneManager, colonnade(11, 4.5F), stone, {{0.0F, 0.0F, -9.0F}, 0.0F, 1.0F});
     plantTrees(sceneManager);
 

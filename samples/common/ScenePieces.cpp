@@ -72,6 +72,17 @@ TwoMeshes broadleaf(const std::string& name, float height, std::uint32_t seed) {
     return {trunk.build(name + "/trunk"), crown.build(name + "/crown")};
 }
 
+void addFence(MeshBuilder& mesh, float half) {
+    const int bays = static_cast<int>(half);
+    for (int i = 0; i <= bays; ++i) {
+        const float x = 2.0F * static_cast<float>(i) - half;
+        mesh.boxOn({x, 0.0F, 0.0F}, 0.14F, 1.25F, 0.14F);
+        mesh.boxOn({x, 1.25F, 0.0F}, 0.2F, 0.05F, 0.2F);
+    }
+    for (const float height : {0.45F, 0.95F})
+        mesh.boxOn({0.0F, height, 0.11F}, 2.0F * half, 0.12F, 0.05F);
+}
+
 void addColumn(MeshBuilder& mesh, float radius, float height, int segments) {
     const float r = radius;
     const float h = height;

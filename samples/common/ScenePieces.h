@@ -36,6 +36,8 @@ void place(Ogre::SceneManager& sceneManager, const TwoMeshes& meshes,
 TwoMeshes spruce(const std::string& name, float height);
 /// A broad-leaved tree `height` tall: trunk and a crown of spheres.
 TwoMeshes broadleaf(const std::string& name, float height, std::uint32_t seed);
+/// Posts, 2 apart, and two rails along x, from -half to half; half is whole.
+void addFence(MeshBuilder& mesh, float half);
 /// A column with base and capital, `height` tall.
 void addColumn(MeshBuilder& mesh, float radius, float height, int segments = 24);
 

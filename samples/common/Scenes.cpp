@@ -8,10 +8,12 @@
 namespace Lixel::Samples {
 
 const std::vector<SampleScene>& sampleScenes() {
-    static const std::vector<SampleScene> scenes{fieldScene(), duelScene(), minersLampScene(),
-                                                 streetScene(),
+    static const std::vector<SampleScene> scenes{
+        fieldScene(),    duelScene(),     minersLampScene(), streetScene(),    meadowScene(),
+        bridgeScene(),   interiorScene(), forestScene(),     cityScene(),      weaponScene(),
+        lampRoomScene(), vastScene(),     solarScene(),      telephotoScene(),
 #ifdef LIXEL_SAMPLES_RTSS
-                                                 gardenScene()
+        gardenScene()
 #endif
     };
     return scenes;

@@ -55,15 +55,16 @@ struct SampleScene {
     std::function<void(Ogre::SceneManager&)> build;
     std::vector<SampleView> views;   ///< the default one first; at least two
     std::vector<SampleLight> lights; ///< the default one first
-    float shadowDistance = 0.0F;     ///< view-space depth that shadows reach, scene units
+    float shadowDistance = 0.0F;     ///< view-space depth that shadows reach, scene units; 0: any
     SampleSky sky{};
+    bool bySeed = false; ///< whether views and lights are where random numbers have put them
     /// Whether its materials have no programs, so that OGRE's shader system draws them, and are
     /// those of media/. Others wear Lixel/Surface.
     bool shaderSystem = false;
 };
 
-/// The scenes that are made by code, always the same: field, duel, miners-lamp, street and, where
-/// programs are built with OGRE's shader system, garden.
+/// The scenes that are made by code, always the same; garden among them where programs are built
+/// with OGRE's shader system.
 const std::vector<SampleScene>& sampleScenes();
 
 /// Those on which setups are compared: all that wear Lixel/Surface.

@@ -30,15 +30,19 @@ public:
     void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
                          const Ogre::Viewport* viewport, const Ogre::Light* light,
                          Ogre::Camera* shadowCamera, std::size_t iteration) const override {
-        const Ogre::Real reach = light->getShadowFarDistance();
         // The splits are the viewer's, which the setup is not told when it is made; OGRE calls
         // this const but keeps it as any other option.
         const_cast<SplitSetup*>(this)->setSplits(*viewer,
-                                                 reach > 0 ? reach : viewer->getFarClipDistance());
+                                                 reachOf(*viewer, light->getShadowFarDistance()));
         PSSMShadowCameraSetup::getShadowCamera(sceneManager, viewer, viewport, light, shadowCamera,
                                                iteration);
     }
     virtual void setSplits(const Ogre::Camera& viewer, Ogre::Real shadowDistance) = 0;
+
+    /// How far shadows reach, also where there is no shadow distance (0).
+    static Ogre::Real reachOf(const Ogre::Camera& viewer, Ogre::Real shadowDistance) {
+        return shadowDistance > 0 ? shadowDistance : viewer.getFarClipDistance();
+    }
 };
 
 /// Only the first split is drawn, and it holds all; fewer than two are refused.
@@ -84,7 +88,8 @@ NamedSetup threeSplits() {
     setup.maps = SplitCount;
     setup.splitDepths = [](const Ogre::Camera& viewer, double shadowDistance) {
         ThreeSplitSetup splits;
-        splits.setSplits(viewer, static_cast<Ogre::Real>(shadowDistance));
+        splits.setSplits(viewer,
+                         SplitSetup::reachOf(viewer, static_cast<Ogre::Real>(shadowDistance)));
         return std::vector<double>(splits.getSplitPoints().begin(), splits.getSplitPoints().end());
     };
     return setup;

@@ -25,7 +25,7 @@ refuses() {
 }
 
 "$browser" --list >list
-for name in Samples: '  field' '  duel' '  miners-lamp' '  street' Setups: '  Uniform' '  XPSM' \
+for name in Samples: '  field' '  duel' '  miners-lamp' '  street' '  meadow' '  telephoto' Setups: '  Uniform' '  XPSM' \
     '  LiSPSM' '  Trapezoidal' '  PSM' '  PlaneOptimal' \
     '  Ogre-Default' '  Ogre-Focused' '  Ogre-LiSPSM' '  Ogre-PSSM' '  Ogre-PlaneOptimal'; do
     grep -qxF -- "$name" list || fail "--list lacks '$name'"
