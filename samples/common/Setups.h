@@ -32,8 +32,9 @@ const std::vector<NamedSetup>& shadowSetups();
 
 /** All that can be measured by emulation: shadowSetups(), then those with several maps.
 
-    Ogre-PSSM-3 splits and weighs as OGRE's own sample does: three splits between near plane and
-    shadow distance, padded by the near distance, with adjust factors 2, 1 and 0.5.
+    Ogre-LiSPSM-1 has adjust factor 1 instead of OGRE's 0.1. Ogre-PSSM-3 splits and weighs as OGRE's
+    own sample does: three splits between near plane and shadow distance, padded by the near
+    distance, with adjust factors 2, 1 and 0.5.
 */
 const std::vector<NamedSetup>& emulatedSetups();
 

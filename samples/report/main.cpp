@@ -6,6 +6,7 @@
 #include "common/Setups.h"
 #include "report/BestXpsm.h"
 #include "report/Budgets.h"
+#include "report/Claims.h"
 #ifdef LIXEL_SAMPLES_RTSS
 #include "report/Casters.h"
 #endif
@@ -92,6 +93,7 @@ int makeTable(const Options& options) {
         }
         const std::vector<TableCase> cases = measureTable(table);
         printTable(setups, cases, static_cast<std::size_t>(baseline - setups.begin()));
+        printClaims(table, cases);
         if (!options.jsonFile.empty()) writeCases(table, cases, options.jsonFile);
     } catch (const std::exception& error) {
         fmt::print(stderr, "lixel-report: {}\n", error.what());

@@ -1,11 +1,14 @@
 // Means and ratios of errors, where there is no error, or no case at all.
 
 #include "common/Comparison.h"
+#include "report/Claims.h"
 #include "report/Table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
+#include <sstream>
 
 namespace Lixel::Samples {
 namespace {
@@ -70,6 +73,71 @@ TEST(Table, GroupsHoldTheTellingCases) {
     EXPECT_EQ(groups[2].cases, SomeCases{&cases[1]});
     EXPECT_EQ(groups[3].name, "lamps");
     EXPECT_EQ(groups[3].cases, SomeCases{&cases[2]});
+}
+
+TEST(Claims, WorseIsWhatChanceDoesNotExplain) {
+    const auto worse = [](double error, double than) {
+        return isWorse({.error = error}, {.error = than});
+    };
+    EXPECT_TRUE(worse(1.06, 1.0));
+    EXPECT_FALSE(worse(1.04, 1.0)) << "by less than 5 %";
+    EXPECT_FALSE(worse(0.019, 0.01)) << "by less than 0.01 points";
+    EXPECT_TRUE(worse(0.021, 0.01));
+    EXPECT_TRUE(worse(0.02, 0.0));
+    EXPECT_FALSE(worse(1.0, 1.06));
+}
+
+TEST(Claims, TheBestIsTheFirstThatErrsLeast) {
+    TableCase one;
+    for (const double error : {3.0, 1.0, 2.0, 1.0})
+        one.errors.push_back({.error = error});
+    EXPECT_EQ(bestOf(one, {0, 1, 2, 3}), 1U);
+    EXPECT_EQ(bestOf(one, {0, 3, 1}), 3U);
+    EXPECT_EQ(bestOf(one, {0, 2}), 2U);
+}
+
+/// The lines that printClaims prints for a kind of scene: of ratios, then of counts.
+std::vector<std::string> claimedOf(const std::string& kind, const std::vector<TableCase>& cases) {
+    testing::internal::CaptureStdout();
+    printClaims(TableOptions{}, cases);
+    std::fflush(stdout);
+    std::istringstream said(testing::internal::GetCapturedStdout());
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(said, line);)
+        if (line.starts_with(kind + " ")) lines.push_back(line);
+    return lines;
+}
+
+TEST(Claims, AreCountedByKind) {
+    const std::vector<NamedSetup>& setups = emulatedSetups();
+    const auto caseOf = [&](const std::string& scene, double optimal, double uniform) {
+        TableCase one{scene, "view", "light", true, {}};
+        for (const NamedSetup& setup : setups) {
+            one.errors.push_back({.error = 4.0, .lit = 1000000});
+            if (setup.name == "Optimal") one.errors.back().error = optimal;
+            if (setup.name == "Uniform") one.errors.back().error = uniform;
+            one.reasons.emplace_back("none");
+        }
+        return one;
+    };
+    const std::vector<TableCase> cases{caseOf("meadow", 1.0, 4.0), caseOf("meadow", 1.0, 4.0),
+                                       caseOf("vast", 2.0, 1.0), caseOf("vast", 0.001, 0.002)};
+    const std::vector<std::string> meadow = claimedOf("meadow", cases);
+    ASSERT_EQ(meadow.size(), 2U);
+    EXPECT_NE(meadow[0].find("2   0.250 [0.250, 0.250]"), std::string::npos) << meadow[0];
+    std::istringstream counts(meadow[1].substr(6));
+    std::vector<int> numbers{std::istream_iterator<int>(counts), {}};
+    EXPECT_EQ(numbers, (std::vector{2, 0, 0, 0, 0, 2, 2})) << meadow[1];
+
+    const std::vector<std::string> vast = claimedOf("vast", cases);
+    ASSERT_EQ(vast.size(), 2U);
+    counts = std::istringstream(vast[1].substr(4));
+    numbers.assign(std::istream_iterator<int>(counts), {});
+    // Optimal is worse than Uniform in one, and in the other neither errs noticeably.
+    EXPECT_EQ(numbers, (std::vector{2, 1, 2, 1, 2, 2, 2})) << vast[1];
+    // The ratio to the best of Lixel's leaves the second case out.
+    EXPECT_NE(vast[0].find("2.000 [2.000, 2.000]"), std::string::npos) << vast[0];
+    EXPECT_EQ(claimedOf("2.00", cases).size(), 1U) << "the worst case";
 }
 
 } // namespace
