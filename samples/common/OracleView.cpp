@@ -28,6 +28,8 @@ OracleView oracleView(const Ogre::Camera& camera, int width, int height, double 
 }
 
 OracleLight oracleLight(const Ogre::Light& light, const Eigen::Vector3d& wsOrigin) {
+    // A light hears that its node was moved when the node is asked where it is.
+    if (const Ogre::Node* const node = light.getParentNode()) node->_getDerivedPosition();
     OracleLight result;
     switch (light.getType()) {
     case Ogre::Light::LT_DIRECTIONAL:

@@ -216,6 +216,17 @@ TEST_F(OracleViewTest, CameraAndLightAreWhereOgreHasThem) {
     EXPECT_EQ(spot.range, 70.0);
 }
 
+TEST_F(OracleViewTest, APointLightIsWhereItsNodeWasMoved) {
+    SampleLight lamp;
+    lamp.kind = SampleLight::Kind::Point;
+    lamp.range = 10.0F;
+    for (const float x : {1.0F, 2.0F}) {
+        lamp.position = Vector3(x, 8, 0);
+        applyLight(lamp, *light);
+        EXPECT_EQ(oracleLight(*light).position, Vector3d(static_cast<double>(x), 8, 0));
+    }
+}
+
 // --- the scenes ---------------------------------------------------------------------------------
 
 class EveryScene : public OgreTest, public ::testing::WithParamInterface<std::string> {
