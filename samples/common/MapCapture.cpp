@@ -30,20 +30,28 @@ Rows fromOrigin(const Rows& rows, const ShadowMap& map, const Eigen::Vector3d& w
 
 } // namespace
 
-MapCapture::MapCapture(Stage& stage) : mStage(stage) {
-    // Among no render queues at all: objects are found, and none is drawn.
-    mStage.sceneManager().setSpecialCaseRenderQueueMode(Ogre::SceneManager::SCRQM_INCLUDE);
+MapCapture::MapCapture(Stage& stage) : mStage(stage), mClock(stage), mWork(mClock) {
+    setDrawing(false);
+    mStage.sceneManager().addListener(this);
     addShadowMapObserver(*this);
 }
 
 MapCapture::~MapCapture() {
     removeShadowMapObserver(*this);
-    mStage.sceneManager().setSpecialCaseRenderQueueMode(Ogre::SceneManager::SCRQM_EXCLUDE);
+    mStage.sceneManager().removeListener(this);
+    setDrawing(true);
     if (mMapSize > 0) setMaps(mMapSize, 1); // else nothing was captured, and nothing changed
+}
+
+void MapCapture::setDrawing(bool on) {
+    // Among no render queues at all: objects are found, and none is drawn.
+    mStage.sceneManager().setSpecialCaseRenderQueueMode(on ? Ogre::SceneManager::SCRQM_EXCLUDE
+                                                           : Ogre::SceneManager::SCRQM_INCLUDE);
 }
 
 void MapCapture::setMaps(int mapSize, std::size_t count) {
     if (mapSize == mMapSize && count == mMapCount) return;
+    mWork.leaveTargets();
     Ogre::SceneManager& manager = mStage.sceneManager();
     // Elsewhere OGRE draws one map a light.
     manager.setShadowTechnique(count > 1 ? Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED
@@ -61,6 +69,14 @@ void MapCapture::setMaps(int mapSize, std::size_t count) {
 std::vector<EmulatedMap> MapCapture::capture(const NamedSetup& setup, int mapSize,
                                              double shadowDistance,
                                              const Eigen::Vector3d& wsOrigin) {
+    begin(setup, mapSize, shadowDistance, wsOrigin);
+    return nextFrame().maps;
+}
+
+void MapCapture::begin(const NamedSetup& setup, int mapSize, double shadowDistance,
+                       const Eigen::Vector3d& wsOrigin) {
+    mSetup = setup;
+    mShadowDistance = shadowDistance;
     mOrigin = wsOrigin;
     const Ogre::ShadowCameraSetupPtr instance = setup.create();
     const bool fitted = dynamic_cast<FittedShadowCameraSetup*>(instance.get()) != nullptr;
@@ -68,26 +84,40 @@ std::vector<EmulatedMap> MapCapture::capture(const NamedSetup& setup, int mapSiz
     mClampsDepth = (fitted || ogreClampsDepth(mStage.light())) && canClampDepth();
     setMaps(mapSize, setup.maps);
     mStage.setShadowSetup(instance);
-    const int frames = fitted ? 1 : SettlingFrames;
-    for (int i = 0; i < frames; ++i) {
-        mMaps.assign(setup.maps, EmulatedMap{});
-        mReason = FitReason::None;
-        mStage.drawFrame();
-    }
-    if (setup.splitDepths) {
-        const std::vector<double> depths = setup.splitDepths(mStage.camera(), shadowDistance);
-        for (std::size_t i = 0; i < setup.maps; ++i) {
-            mMaps[i].beginDepth = i == 0 ? 0.0 : depths.at(i);
-            mMaps[i].endDepth = depths.at(i + 1);
+    const int frames = fitted ? 0 : SettlingFrames - 1;
+    for (int i = 0; i < frames; ++i)
+        nextFrame();
+}
+
+CapturedFrame MapCapture::nextFrame(Draws draws) {
+    mFrame = {};
+    mReason = FitReason::None;
+    mFrame.maps.assign(mSetup.maps, EmulatedMap{});
+    mWork.beginFrame();
+    // Maps are planned alike whether they are drawn or not: it is switched off after that.
+    mDraws = draws;
+    setDrawing(true);
+    mStage.drawFrame();
+    setDrawing(false);
+    mFrame.surveyMicroseconds = mWork.survey;
+    mFrame.fitMicroseconds = mWork.fit;
+    mFrame.casterMilliseconds = mWork.caster;
+    if (mSetup.splitDepths) {
+        const std::vector<double> depths = mSetup.splitDepths(mStage.camera(), mShadowDistance);
+        for (std::size_t i = 0; i < mSetup.maps; ++i) {
+            mFrame.maps[i].beginDepth = i == 0 ? 0.0 : depths.at(i);
+            mFrame.maps[i].endDepth = depths.at(i + 1);
         }
     }
-    return mMaps;
+    return mFrame;
 }
 
 void MapCapture::shadowMapFitted(const ShadowMap& map) {
-    if (&map.light != &mStage.light() || map.iteration >= mMaps.size()) return;
+    if (mDraws == Draws::Nothing) setDrawing(false);
+    if (&map.light != &mStage.light() || map.iteration >= mFrame.maps.size()) return;
     if (mReason == FitReason::None) mReason = map.fit.reason;
-    EmulatedMap& emulated = mMaps[map.iteration];
+    mFrame.mapsDrawn += map.decision.plan == MapPlan::Draw ? 1 : 0;
+    EmulatedMap& emulated = mFrame.maps[map.iteration];
     emulated.width = map.width;
     emulated.height = map.height;
     emulated.clampsDepth = mClampsDepth;

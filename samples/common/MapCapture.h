@@ -2,20 +2,34 @@
 
 #include "common/MapEmulation.h"
 #include "common/Setups.h"
+#include "common/ShadowWork.h"
 #include "common/Stage.h"
 
 #include <Lixel/setup/ShadowMapObserver.h>
 
+#include <OgreSceneManager.h>
+
 namespace Lixel::Samples {
 
-/** Shadow maps' matrices, as OGRE would draw with them, without drawing anything.
+/// The shadow maps of one frame.
+struct CapturedFrame {
+    std::vector<EmulatedMap> maps;
+    std::size_t mapsDrawn = 0; ///< not kept, and not skipped
+    // What it cost.
+    double surveyMicroseconds = 0.0; ///< the search for casters included
+    double fitMicroseconds = 0.0;
+    double casterMilliseconds = 0.0; ///< of drawing maps, on RenderClock, where they are drawn
+};
+
+/** Shadow maps' matrices, as OGRE would draw with them.
 
     While one lives, the stage's frames find what is visible and set shadow cameras up, but draw
-    nothing. Afterwards every light has one map again, of the size that was captured last. The
-    light keeps the setup that was captured last.
+    nothing, or maps alone where that is asked for. Afterwards every light has one map again, of the size that was captured
+    last. The light keeps the setup that was captured last.
 */
-class MapCapture : private ShadowMapObserver {
+class MapCapture : private ShadowMapObserver, private Ogre::SceneManager::Listener {
 public:
+    enum class Draws { Nothing, Maps };
     explicit MapCapture(Stage& stage);
     ~MapCapture() override;
     MapCapture(const MapCapture&) = delete;
@@ -37,17 +51,34 @@ public:
     /// maps the first that says something, "none" where none does.
     std::string reason() const { return toString(mReason); }
 
+    /// Gives the stage's light a new instance of a setup, for the frames that follow, and lets it
+    /// settle for the camera as it is. Parameters as of capture.
+    void begin(const NamedSetup& setup, int mapSize, double shadowDistance,
+               const Eigen::Vector3d& wsOrigin);
+    /// The next frame of what was begun, for the camera as it is now.
+    CapturedFrame nextFrame(Draws draws = Draws::Nothing);
+
 private:
     void shadowMapFitted(const ShadowMap& map) override;
+    void shadowTexturesUpdated(std::size_t) override { setDrawing(false); }
+    void setDrawing(bool on);
     void setMaps(int mapSize, std::size_t count);
 
     Stage& mStage;
+    Draws mDraws = Draws::Nothing;
+    RenderClock mClock;
+    ShadowWork mWork;
     int mMapSize = 0;
     std::size_t mMapCount = 0;
+
+    // What was begun.
+    NamedSetup mSetup;
     bool mClampsDepth = false;
+    double mShadowDistance = 0.0;
     Eigen::Vector3d mOrigin = Eigen::Vector3d::Zero();
-    std::vector<EmulatedMap> mMaps;
     FitReason mReason = FitReason::None;
+
+    CapturedFrame mFrame;
 };
 
 } // namespace Lixel::Samples

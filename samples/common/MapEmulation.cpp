@@ -80,19 +80,19 @@ void MapEmulation::setLight(const OracleLight& light) {
     for (std::size_t i = 0; i < mTruth.pixels.size(); ++i) {
         if (mTruth.pixels[i] != PixelClass::Lit && mTruth.pixels[i] != PixelClass::Shadowed)
             continue;
-        const SurfacePoint& point = *mPoints.pixels[i];
-        mReceivers.push_back({i, point, -mView.vsFromWs.row(2).dot(point.position.homogeneous())});
+        mReceivers.push_back({i, *mPoints.pixels[i]});
     }
 }
 
-void MapEmulation::findTexels(std::span<const EmulatedMap> maps) {
+void MapEmulation::findTexels(std::span<const EmulatedMap> maps, const OracleView& reader) {
     mTexelOf.assign(mReceivers.size(), None);
     forEachPart(mReceivers.size(), PartSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t m =
-                servingMap(maps, mReceivers[i].point.position, mReceivers[i].viewDepth);
+            const Vector3d& position = mReceivers[i].point.position;
+            const double depth = -reader.vsFromWs.row(2).dot(position.homogeneous());
+            const std::size_t m = servingMap(maps, position, depth);
             if (m == maps.size()) continue;
-            const std::uint32_t texel = texelAt(maps[m], mReceivers[i].point.position);
+            const std::uint32_t texel = texelAt(maps[m], position);
             if (texel != None) mTexelOf[i] = static_cast<std::uint32_t>(mFirstTexel[m]) + texel;
         }
     });
@@ -192,13 +192,18 @@ bool MapEmulation::inShadow(const Receiver& receiver, const TexelRay& ray) const
 }
 
 std::vector<std::uint8_t> MapEmulation::visibility(std::span<const EmulatedMap> maps) {
+    return visibility(maps, mView);
+}
+
+std::vector<std::uint8_t> MapEmulation::visibility(std::span<const EmulatedMap> maps,
+                                                   const OracleView& reader) {
     std::size_t texels = 0;
     mFirstTexel.clear();
     for (const EmulatedMap& map : maps) {
         mFirstTexel.push_back(texels);
         texels += static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
     }
-    findTexels(maps);
+    findTexels(maps, reader);
     shareRays(texels);
     traceRays(maps);
 

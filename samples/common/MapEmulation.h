@@ -65,6 +65,12 @@ public:
         @param maps of the light; where several serve a point alike, the first counts
     */
     std::vector<std::uint8_t> visibility(std::span<const EmulatedMap> maps);
+    /// The same where the maps are read for another view than the one that was set: the points stay,
+    /// and their depths are that view's.
+    std::vector<std::uint8_t> visibility(std::span<const EmulatedMap> maps,
+                                         const OracleView& reader);
+
+    const VisiblePoints& points() const { return mPoints; }
 
     /// How wrong that is.
     ClassificationError error(std::span<const EmulatedMap> maps);
@@ -74,7 +80,6 @@ private:
     struct Receiver {
         std::size_t pixel;
         SurfacePoint point;
-        double viewDepth;
     };
     /// The light ray through a texel's centre, as far as a caster on it is drawn.
     struct TexelRay {
@@ -86,7 +91,7 @@ private:
         double bias;   ///< world units
     };
 
-    void findTexels(std::span<const EmulatedMap> maps);
+    void findTexels(std::span<const EmulatedMap> maps, const OracleView& reader);
     void shareRays(std::size_t texelCount);
     void traceRays(std::span<const EmulatedMap> maps);
     TexelRay rayThrough(const EmulatedMap& map, std::size_t texel,

@@ -1,79 +1,14 @@
 #include "common/Measurement.h"
 
-#include "common/PlanCounts.h"
-
 #include "common/Median.h"
 #include "common/OracleView.h"
-
-#include <algorithm>
-#include <ctime>
+#include "common/PlanCounts.h"
+#include "common/ShadowWork.h"
 
 namespace Lixel::Samples {
-namespace {
-
-/// Milliseconds on the clock that fits the renderer, after all drawing is done.
-class Clock {
-public:
-    explicit Clock(Stage& stage)
-        : mStage(stage),
-          mClock(stage.glRenderer().find("llvmpipe") != std::string::npos ||
-                         stage.glRenderer().find("softpipe") != std::string::npos
-                     ? CLOCK_PROCESS_CPUTIME_ID
-                     : CLOCK_MONOTONIC) {}
-
-    double now() {
-        mStage.finish();
-        timespec time{};
-        clock_gettime(mClock, &time);
-        return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-    }
-
-private:
-    Stage& mStage;
-    clockid_t mClock;
-};
-
-/// Adds up one frame's shadow work: what setups publish, and the drawing of shadow textures.
-class ShadowWork : public ShadowMapObserver, public Ogre::RenderTargetListener {
-public:
-    explicit ShadowWork(Clock& clock) : mClock(clock) { addShadowMapObserver(*this); }
-    ~ShadowWork() override {
-        for (Ogre::RenderTarget* target : mTargets)
-            target->removeListener(this);
-    }
-
-    void beginFrame() { survey = fit = caster = 0.0; }
-
-    void shadowMapFitted(const ShadowMap& map) override {
-        survey += map.surveyMicroseconds + map.casterMicroseconds;
-        fit += map.fitMicroseconds;
-        reason = toString(map.fit.reason);
-        Ogre::RenderTarget* const target = map.shadowCamera.getViewport()->getTarget();
-        if (std::find(mTargets.begin(), mTargets.end(), target) == mTargets.end()) {
-            mTargets.push_back(target);
-            target->addListener(this);
-        }
-    }
-    void preRenderTargetUpdate(const Ogre::RenderTargetEvent&) override { mBegin = mClock.now(); }
-    void postRenderTargetUpdate(const Ogre::RenderTargetEvent&) override {
-        caster += mClock.now() - mBegin;
-    }
-
-    double survey = 0.0;
-    double fit = 0.0;
-    double caster = 0.0;
-    std::string reason = "none";
-
-private:
-    Clock& mClock;
-    double mBegin = 0.0;
-    std::vector<Ogre::RenderTarget*> mTargets;
-};
-
-} // namespace
 
 Measurement measureFrames(Stage& stage, int frames) {
-    Clock clock(stage);
+    RenderClock clock(stage);
     ShadowWork work(clock);
     stage.drawFrame();
 

@@ -10,6 +10,7 @@
 #ifdef LIXEL_SAMPLES_RTSS
 #include "report/Casters.h"
 #endif
+#include "report/Motion.h"
 #include "report/Table.h"
 
 #include <CLI/CLI.hpp>
@@ -38,9 +39,12 @@ struct Options {
     bool budgets = false;
     bool bestXpsm = false;
     bool casters = false;
+    bool motion = false;
+    int frames = MotionOptions().frames;
     std::vector<std::string> kinds;
     std::optional<PictureSize> size; ///< by emulation
     std::string jsonFile;
+    std::string motionScene;
 };
 
 /// One scene at a time: each gets a stage of its own. @param name empty for the model file.
@@ -55,6 +59,23 @@ std::vector<ComparedCase> compareScene(const std::string& name, const Options& o
                          [](const std::string& left) {
                              fmt::print("{:<32} left out: no map size errs 1 to 5 %\n", left);
                          });
+}
+
+/// Runs --motion. @return the program's exit status
+int filmMotion(const Options& options) {
+    MotionOptions motion;
+    motion.modelFile = options.modelFile;
+    motion.frames = options.frames;
+    motion.scene = options.motionScene;
+    try {
+        const std::vector<MotionRow> rows = measureMotion(motion);
+        printMotion(motion, rows);
+        if (!options.jsonFile.empty()) writeMotion(motion, rows, options.jsonFile);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "lixel-report: {}\n", error.what());
+        return 1;
+    }
+    return 0;
 }
 
 /// Runs --table, --budgets, --best-xpsm or --casters. @return the program's exit status
@@ -142,8 +163,19 @@ int main(int argc, char** argv) {
            },
            "With --table: picture size, WxH; fewer pixels are measured faster")
         ->needs(table);
-    app.add_option("--json", options.jsonFile, "With --table: a file for every case's errors, JSON")
-        ->needs(table);
+    auto* const motion =
+        app.add_flag("--motion", options.motion,
+                     "What a walking and turning viewer sees: flicker, errors, and how often maps "
+                     "are drawn, by setup and lasting_maps, by emulation")
+            ->excludes(assignments);
+    app.add_option("--frames", options.frames, "With --motion: frames of each motion")
+        ->check(CLI::Range(2, 100000))
+        ->needs(motion);
+    app.add_option("--sample", options.motionScene, "With --motion: one scene alone")
+        ->check(CLI::IsMember({"street", "field", "miners-lamp", "model"}))
+        ->needs(motion);
+    app.add_option("--json", options.jsonFile,
+                   "With --table or --motion: a file for all numbers, JSON");
     CLI11_PARSE(app, argc, argv);
     for (const std::string& kind : options.kinds) {
         if (std::ranges::count(measuredScenes(), kind, &SampleScene::name) == 0) {
@@ -152,6 +184,11 @@ int main(int argc, char** argv) {
             return 2;
         }
     }
+    if (!options.jsonFile.empty() && !options.table && !options.motion) {
+        fmt::print(stderr, "lixel-report: --json goes with --table or --motion\n");
+        return 2;
+    }
+    if (options.motion) return filmMotion(options);
     if (options.table || options.bestXpsm || options.budgets || options.casters)
         return makeTable(options);
     for (const std::string& name : {options.setup, options.baseline}) {
