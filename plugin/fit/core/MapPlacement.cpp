@@ -159,6 +159,8 @@ void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp,
     for (const Vec2& p : scratch.warped)
         points.push_back(map.topLeftCorner<2, 2>() * p + map.topRightCorner<2, 1>());
     sumWithRectangle(points, Vec2::UnitX(), 2.0 * affine.border.cwiseQuotient(size), grown);
+    // In the map, where a texel is a texel: the near end of a warp has many in a small area.
+    simplifyOutward(grown, FocusPolygon::Capacity);
     // 1 - w . p is one over the denominator. Where that stays well above 0, what is convex stays
     // so.
     double horizon = 1.0;

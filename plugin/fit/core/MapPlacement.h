@@ -55,7 +55,7 @@ Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const 
 Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp);
 
 /// The focus region and what a receiver's filter reaches beyond it, in the light image: the warped
-/// hull's sum with a rectangle of the map's border, unwarped.
+/// hull's sum with a rectangle of the map's border, with few vertices, unwarped.
 /// @param size of the map, in texels
 /// @param scratch `warped` is the warped hull; `points` is overwritten
 void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp,

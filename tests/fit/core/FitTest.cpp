@@ -228,6 +228,31 @@ TEST(FitOfAViewer, DoesNotDependOnHowItStoresDepth) {
     }
 }
 
+TEST(FocusPolygon, ReachesHardlyBeyondAWarpedMap) {
+    // A ring of casters, whose region has more edges than the polygon may have. At the near
+    // end of the warp a large part of the map is a small area of the light image.
+    Scene scene = outdoors();
+    for (int i = 0; i < 80; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / 80;
+        scene.addBody({Vec3(9.0 * std::sin(angle), -1.8, -20.0 - 16.5 * std::cos(angle)),
+                       Vec3(0.02, 0.2, 0.02)});
+    }
+    for (const char* const name : {"XPSM", "Optimal", "LiSPSM"}) {
+        FitState state;
+        const ShadowFit fit = trialNamed(name).fit(scene.problem(), state);
+        ASSERT_TRUE(fit.hasMap());
+        EXPECT_GT(state.region.liHull.size(), 16U);
+        double beyond = 0.0;
+        for (const Vec2& q : fit.liFocus.span()) {
+            const Vec3 ws = fit.wsEye + fit.lsFromWs.transpose() * Vec3(q.x(), q.y(), 0.0);
+            beyond = std::max(beyond, -insideBorder(texelOf(fit.clipFromWorld, scene, ws), scene));
+        }
+        // So far do the corners of a regular polygon reach beyond a circle as wide as the map.
+        const double corner = 1.0 / std::cos(std::numbers::pi / FocusPolygon::Capacity) - 1.0;
+        EXPECT_LT(beyond, corner * scene.mapWidth / 2.0) << name;
+    }
+}
+
 TEST(FitReasonNames, AreDistinctAndKnown) {
     std::set<std::string> names;
     for (int i = 0; i <= static_cast<int>(FitReason::TooFewMaps); ++i)
