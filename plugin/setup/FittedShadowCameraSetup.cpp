@@ -354,10 +354,10 @@ LastingMap& FittedShadowCameraSetup::lastingMap(const Request& request,
     // What a margin costs depends on the view: the widest one is taken that leaves the map to last.
     for (double margin = widestMargin(mCommon); margin > LeastMargin * mCommon.lastingMaps;
          margin /= 2.0) {
-        kept->fit = fit(problemOf(widened(problem, margin), widened(part, margin)), kept->state);
+        keep(*kept, fit(problemOf(widened(problem, margin), widened(part, margin)), kept->state));
         if (serves(*kept, settings, fresh, problem, FreshShare * mCommon.lastingMaps)) return *kept;
     }
-    kept->fit = fresh;
+    keep(*kept, fresh);
     return *kept;
 }
 

@@ -1,5 +1,6 @@
 #include "setup/LastingMap.h"
 
+#include "fit/core/Fit.h"
 #include "fit/focus/ViewVolume.h"
 #include "fit/problem/KeptFit.h"
 
@@ -37,6 +38,12 @@ bool serves(const LastingMap& kept, const Fingerprint& settings, const ShadowFit
     if (!kept.fit.hasMap() || kept.settings != settings) return false;
     const KeptFit compared = compareFits(kept.fit, fresh, problem.wsOrigin - kept.wsOrigin);
     return compared.covers && compared.coarseness <= 1.0 + bound;
+}
+
+void keep(LastingMap& kept, const ShadowFit& fit) {
+    kept.fit = fit;
+    // Any region within the map may be seen through it later.
+    focusOnWindow(kept.fit, kept.state);
 }
 
 ShadowProblem widened(const ShadowProblem& problem, double share) {

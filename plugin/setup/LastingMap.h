@@ -39,6 +39,9 @@ void addLight(const ShadowProblem& problem, Fingerprint& settings);
 bool serves(const LastingMap& kept, const Fingerprint& settings, const ShadowFit& fresh,
             const ShadowProblem& problem, double bound);
 
+/// Keeps a fit, which was made relative to the kept map's origin.
+void keep(LastingMap& kept, const ShadowFit& fit);
+
 /// A problem with a margin around what is seen. @param share of the view's extents
 ShadowProblem widened(const ShadowProblem& problem, double share);
 /// A part for a view that is widened by a share: slices begin earlier and end later.

@@ -6,7 +6,11 @@
 #include "fit/core/Warp.h"
 #include "fit/problem/ShadowPart.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace Lixel {
 namespace {
@@ -18,6 +22,9 @@ constexpr int PullSteps = 24;
 /// Least depth range, as a fraction of the focus region's size, for a flat receiver across the
 /// light.
 constexpr double LeastDepthRange = 1e-3;
+
+/// Beyond the sides of a map's window, in half sides: what rounding needs, and less than a texel.
+constexpr double WindowSlack = 1e-3;
 
 /// A warp and the map that is made of it.
 struct Placement {
@@ -240,6 +247,35 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state,
     const RegionScale scale = placement.given ? scaleOf(image, region) : context.scale;
     const DepthRow depth = depthOf(context, scale, placement.leastDenominator);
     return assemble(context, placement, depth, state.placement);
+}
+
+void focusOnWindow(ShadowFit& fit, FitState& state) noexcept {
+    if (!fit.hasMap()) return;
+    Mat3 homography;
+    const int third = fit.directional ? 3 : 2;
+    for (const int row : {0, 1, 2}) {
+        const int source = row == 2 ? 3 : row;
+        homography.row(row) << fit.clipFromLight(source, 0), fit.clipFromLight(source, 1),
+            (fit.directional ? 1.0 : -1.0) * fit.clipFromLight(source, third);
+    }
+    // One over the denominator at a point of the map; the horizon is where that is 0.
+    const Mat3 back = homography.inverse();
+    const auto unwarped = [&](const Vec2& ms) { return back.row(2).dot(ms.homogeneous()); };
+    double horizon = std::numeric_limits<double>::infinity();
+    for (const Vec2& q : fit.liFocus.span())
+        horizon = std::min(horizon, 1.0 / homography.row(2).dot(q.homogeneous()));
+    if (!(horizon > 0.0) || !std::isfinite(horizon)) return;
+    const double side = 1.0 + WindowSlack;
+    const std::array square{Vec2(-side, -side), Vec2(side, -side), Vec2(side, side),
+                            Vec2(-side, side)};
+    Polygon2& window = state.placement.grown;
+    clipBy(
+        square, [&](const Vec2& ms) { return unwarped(ms) - 0.5 * horizon; }, window);
+    if (window.size() < 3 || window.size() > FocusPolygon::Capacity) return;
+    for (Vec2& ms : window)
+        ms = (back * ms.homogeneous()).hnormalized();
+    fit.liFocus.count = window.size();
+    std::copy(window.begin(), window.end(), fit.liFocus.vertices.begin());
 }
 
 } // namespace Lixel

@@ -16,4 +16,9 @@ namespace Lixel {
 /// Runs the shared fit around a rule. Never throws; bad input gives a fit without a map.
 ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state, const WarpRule& rule) noexcept;
 
+/** Lets a fit's focus polygon be all that its map has room for, up to near its horizon: so that
+    casters are drawn on all of its light rays, for a map that is to serve other regions too.
+    @param state its scratch memory is used */
+void focusOnWindow(ShadowFit& fit, FitState& state) noexcept;
+
 } // namespace Lixel

@@ -19,6 +19,30 @@ Vec3 pointOn(const ShadowFit& fit, const Vec2& q) {
     return fit.wsEye + fit.lsFromWs.transpose() * Vec3(q.x(), q.y(), fit.directional ? 0.0 : -1.0);
 }
 
+/// Rounding of positions in the light image, relative to the polygon's extent.
+constexpr double FocusSlack = 1e-9;
+
+/// The light image of a point, in the fit's light space.
+Vec2 imageOf(const ShadowFit& fit, const Vec3& ws) {
+    const Vec3 ls = fit.lsFromWs * (ws - fit.wsEye);
+    return fit.directional ? Vec2(ls.head<2>()) : Vec2(ls.head<2>() / -ls.z());
+}
+
+/// Whether casters were drawn on a light ray: on others the map shows none.
+bool isDrawnAt(const ShadowFit& fit, const Vec2& q) {
+    const std::span<const Vec2> focus = fit.liFocus.span();
+    double extent = 0.0;
+    for (const Vec2& vertex : focus)
+        extent = std::max(extent, (vertex - focus.front()).norm());
+    for (std::size_t i = 0; i < focus.size(); ++i) {
+        const Vec2 edge = focus[(i + 1) % focus.size()] - focus[i];
+        const Vec2 way = q - focus[i];
+        if (!(edge.x() * way.y() - edge.y() * way.x() >= -FocusSlack * extent * edge.norm()))
+            return false;
+    }
+    return true;
+}
+
 /// The area, in clip space, of a unit square across the light at a point; 0 behind the light.
 double density(const ShadowFit& fit, const Vec3& ws, const Vec3& across, const Vec3& along) {
     const Vec4 clip = fit.clipFromWorld * ws.homogeneous();
@@ -41,9 +65,10 @@ KeptFit compareFits(const ShadowFit& kept, const ShadowFit& fresh, const Vec3& w
 
     constexpr double Limit = 1.0 + EdgeSlack;
     for (const Vec2& q : focus) {
-        const Vec4 clip = kept.clipFromWorld * (pointOn(fresh, q) + wsShift).homogeneous();
-        if (!(clip.w() > 0.0) || !(std::abs(clip.x()) <= Limit * clip.w()) ||
-            !(std::abs(clip.y()) <= Limit * clip.w()))
+        const Vec3 ws = pointOn(fresh, q) + wsShift;
+        const Vec4 clip = kept.clipFromWorld * ws.homogeneous();
+        if (!isDrawnAt(kept, imageOf(kept, ws)) || !(clip.w() > 0.0) ||
+            !(std::abs(clip.x()) <= Limit * clip.w()) || !(std::abs(clip.y()) <= Limit * clip.w()))
             return {};
     }
     // Both ends of the fresh depth range; casters in front of it are clamped in either map.

@@ -6,7 +6,8 @@ namespace Lixel {
 
 /// How a map that was fitted before serves what is seen now.
 struct KeptFit {
-    /// Whether it shows every light ray of the fresh fit's focus region, and has depths for it all.
+    /// Whether it shows every light ray of the fresh fit's focus region, among those on which its
+    /// casters were drawn, and has depths for it all.
     bool covers = false;
     /// Side of its texels relative to the fresh fit's, where that has its texels: 1 is as fine.
     double coarseness = 0.0;

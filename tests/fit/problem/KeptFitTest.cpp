@@ -67,6 +67,19 @@ TEST_P(KeptFits, ASmallerMapDoesNotCover) {
     });
 }
 
+TEST_P(KeptFits, CastersHaveToBeDrawnOnAllItsRays) {
+    forAnyMap([](const ShadowFit& fit) {
+        // Drawn for a smaller region, into a map that has room for more.
+        ShadowFit kept = fit;
+        Vec2 middle = Vec2::Zero();
+        for (const Vec2& q : fit.liFocus.span())
+            middle += q / static_cast<double>(fit.liFocus.count);
+        for (std::size_t i = 0; i < fit.liFocus.count; ++i)
+            kept.liFocus.vertices[i] += 0.01 * (middle - kept.liFocus.vertices[i]);
+        return !compareFits(kept, fit, Vec3::Zero()).covers;
+    });
+}
+
 TEST_P(KeptFits, AMapWithAnotherOriginIsTheSame) {
     forAnyMap([](const ShadowFit& fit) {
         // The kept map's origin is there; x relative to it is x + shift.
