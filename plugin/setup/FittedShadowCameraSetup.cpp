@@ -304,11 +304,10 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     }
     const ShadowPart* part = nullptr;
     const ShadowFit result = fitNext(problem, *light, memory.maps - iteration, memory, news, part);
-    const double fitTime = since(fitBegin);
-
     LastingMap* const lasting = mCommon.lastingMaps > 0.0 && result.hasMap()
                                     ? &lastingMap(request, problem, *part, result, memory)
                                     : nullptr;
+    const double fitTime = since(fitBegin);
     const Vec3 wsOrigin = lasting != nullptr ? lasting->wsOrigin : survey.wsOrigin();
     ShownMap shown{lasting != nullptr ? lasting->fit : result,
                    relocated(*part, survey.wsOrigin() - wsOrigin), wsOrigin};
