@@ -348,14 +348,26 @@ LastingMap& FittedShadowCameraSetup::lastingMap(const Request& request,
         settings.add(std::string_view(getParameter(settingName(parameter))));
     if (serves(*kept, settings, fresh, problem, mCommon.lastingMaps)) return *kept;
 
+    const auto at = [&](double margin, const auto& attempt) {
+        const ShadowPart widePart = widened(part, margin);
+        return attempt(problemOf(widened(problem, margin), widePart));
+    };
+    // The same texels, if they serve, leave shadows' edges where they are.
+    const auto moveTo = [&](const ShadowProblem& wide) {
+        return move(*kept, settings, fresh, wide, mCommon.lastingMaps);
+    };
+    if (at(widestMargin(mCommon), moveTo) || at(0.0, moveTo)) return *kept;
+
     kept->settings = settings;
     kept->wsOrigin = problem.wsOrigin;
+    const auto fitAnew = [&](const ShadowProblem& wide) {
+        keep(*kept, fit(wide, kept->state));
+        return serves(*kept, settings, fresh, problem, FreshShare * mCommon.lastingMaps);
+    };
     // What a margin costs depends on the view: the widest one is taken that leaves the map to last.
     for (double margin = widestMargin(mCommon); margin > LeastMargin * mCommon.lastingMaps;
-         margin /= 2.0) {
-        keep(*kept, fit(problemOf(widened(problem, margin), widened(part, margin)), kept->state));
-        if (serves(*kept, settings, fresh, problem, FreshShare * mCommon.lastingMaps)) return *kept;
-    }
+         margin /= 2.0)
+        if (at(margin, fitAnew)) return *kept;
     keep(*kept, fresh);
     return *kept;
 }

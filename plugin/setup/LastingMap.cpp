@@ -13,6 +13,12 @@ namespace {
 /// Of a margin, the part that a map keeps free along its own border.
 constexpr double EdgeShare = 0.25;
 
+bool serves(const ShadowFit& kept, const ShadowFit& fresh, const Vec3& wsShift, double bound) {
+    if (!kept.hasMap()) return false;
+    const KeptFit compared = compareFits(kept, fresh, wsShift);
+    return compared.covers && compared.coarseness <= 1.0 + bound;
+}
+
 } // namespace
 
 void addLight(const ShadowProblem& problem, Fingerprint& settings) {
@@ -35,15 +41,27 @@ void addLight(const ShadowProblem& problem, Fingerprint& settings) {
 
 bool serves(const LastingMap& kept, const Fingerprint& settings, const ShadowFit& fresh,
             const ShadowProblem& problem, double bound) {
-    if (!kept.fit.hasMap() || kept.settings != settings) return false;
-    const KeptFit compared = compareFits(kept.fit, fresh, problem.wsOrigin - kept.wsOrigin);
-    return compared.covers && compared.coarseness <= 1.0 + bound;
+    return kept.settings == settings &&
+           serves(kept.fit, fresh, problem.wsOrigin - kept.wsOrigin, bound);
 }
 
 void keep(LastingMap& kept, const ShadowFit& fit) {
     kept.fit = fit;
     // Any region within the map may be seen through it later.
     focusOnWindow(kept.fit, kept.state);
+}
+
+bool move(LastingMap& kept, const Fingerprint& settings, const ShadowFit& fresh,
+          const ShadowProblem& problem, double bound) {
+    if (!kept.fit.hasMap() || kept.settings != settings) return false;
+    std::optional<ShadowFit> moved =
+        fitToTexels(problem, kept.state, kept.fit, problem.wsOrigin - kept.wsOrigin);
+    if (!moved) return false;
+    focusOnWindow(*moved, kept.state);
+    if (!serves(*moved, fresh, Vec3::Zero(), bound)) return false;
+    kept.fit = *moved;
+    kept.wsOrigin = problem.wsOrigin;
+    return true;
 }
 
 ShadowProblem widened(const ShadowProblem& problem, double share) {

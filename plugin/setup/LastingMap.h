@@ -15,7 +15,8 @@ namespace Lixel {
     It is fitted for a wider view than the viewer's, and kept while it shows all that the viewer's own
     map would show, with texels that are no coarser than a bound allows. Both are asked of a fresh
     fit in each frame, so what is lost is known; what is saved is drawing, and edges of shadows stand
-    still meanwhile.
+    still meanwhile. Where only its window is in the wrong place, that moves by whole texels: the map
+    is drawn, and edges stand still.
 */
 struct LastingMap {
     ShadowFit fit; ///< without a map: there is none to keep
@@ -41,6 +42,15 @@ bool serves(const LastingMap& kept, const Fingerprint& settings, const ShadowFit
 
 /// Keeps a fit, which was made relative to the kept map's origin.
 void keep(LastingMap& kept, const ShadowFit& fit);
+
+/** Moves a kept map's window to what is seen now, where its texels serve.
+
+    @param problem of the map's part, in whose middle the window is to be; a wider one than the fresh
+    fit's, for a map that is to last
+    @return whether it moved; the map is as it was if not. Parameters as of serves
+*/
+bool move(LastingMap& kept, const Fingerprint& settings, const ShadowFit& fresh,
+          const ShadowProblem& problem, double bound);
 
 /// A problem with a margin around what is seen. @param share of the view's extents
 ShadowProblem widened(const ShadowProblem& problem, double share);

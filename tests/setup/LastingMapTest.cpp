@@ -3,6 +3,7 @@
 
 #include "TestStage.h"
 
+#include <Lixel/scene/OgreMath.h>
 #include <Lixel/setup/MapPlan.h>
 #include <Lixel/setup/ShadowCameraSetups.h>
 
@@ -116,6 +117,33 @@ TEST_P(LastingMapTest, ShadowsStandStillWhileAMapIsKept) {
         ++still;
     }
     EXPECT_GT(still, 10);
+}
+
+TEST_P(LastingMapTest, KeepsItsTexelsWhileTheViewTurns) {
+    // A point of the ground that stays in view.
+    constexpr int MapSize = 512;
+    const Vec3 point = toDouble(InShadow);
+    PlanCounter plans;
+    const auto texel = [&] {
+        const Vec4 clip = plans.fit.clipFromWorld * (point - plans.wsOrigin).homogeneous();
+        return Vec2(clip.head<2>() / clip.w() * (MapSize / 2.0));
+    };
+    scene.stage.setShadowMapSize(MapSize);
+    scene.stage.drawFrame();
+    int moved = 0;
+    int fittedAnew = 0;
+    for (int frame = 0; frame < 40; ++frame) {
+        const Vec2 before = texel();
+        viewer().yaw(Ogre::Degree(0.5F), Ogre::Node::TS_WORLD);
+        scene.stage.drawFrame();
+        const Vec2 by = texel() - before;
+        if ((by - by.array().round().matrix()).norm() > 1e-3)
+            ++fittedAnew;
+        else if (by.norm() > 0.5)
+            ++moved;
+    }
+    EXPECT_LE(fittedAnew, 8);
+    EXPECT_GT(moved, fittedAnew);
 }
 
 TEST_P(LastingMapTest, FollowsWhatMovesInIt) {

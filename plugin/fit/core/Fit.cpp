@@ -151,6 +151,19 @@ Mat4 clipFromLight(bool directional, const Mat3& homography, const Vec2& depth) 
     return clip;
 }
 
+/// The homography of ℓ that a clip space from the world has: the other way around.
+Mat3 homographyOf(const Mat4& clipFromWorld, const LightImage& image) {
+    Mat3 homography;
+    const Mat3 wsFromLs = image.lsFromWs().transpose();
+    for (const int row : {0, 1, 2}) {
+        const int source = row == 2 ? 3 : row;
+        const Vec3 ls = (clipFromWorld.block<1, 3>(source, 0) * wsFromLs).transpose();
+        const double atEye = clipFromWorld.row(source).dot(image.wsEye().homogeneous());
+        homography.row(row) << ls.x(), ls.y(), image.directional() ? atEye : -ls.z();
+    }
+    return homography;
+}
+
 /// Where the light camera stands, and the matrices to its clip space.
 void setMatrices(const LightImage& image, const Mat4& clip, ShadowFit& fit) {
     fit.directional = image.directional();
@@ -276,6 +289,31 @@ void focusOnWindow(ShadowFit& fit, FitState& state) noexcept {
         ms = (back * ms.homogeneous()).hnormalized();
     fit.liFocus.count = window.size();
     std::copy(window.begin(), window.end(), fit.liFocus.vertices.begin());
+}
+
+std::optional<ShadowFit> fitToTexels(const ShadowProblem& problem, FitState& state,
+                                     const ShadowFit& earlier, const Vec3& wsShift) noexcept {
+    if (!earlier.hasMap()) return std::nullopt;
+    bool fits = false;
+    const auto rule = [&](const WarpContext& context, RuleState) {
+        const Mat4 clipFromWorld = [&] {
+            Mat4 matrix = earlier.clipFromWorld;
+            matrix.col(3) += matrix.leftCols<3>() * wsShift;
+            return matrix;
+        }();
+        WarpChoice choice;
+        choice.homography = movedByTexels(homographyOf(clipFromWorld, context.image),
+                                          context.problem, context.region, context.thickness,
+                                          context.scale.liReach, state.placement);
+        fits = choice.homography.has_value();
+        return choice;
+    };
+    ShadowFit fit = fitWithRule(problem, state, rule);
+    if (!fits || !fit.hasMap() || fit.reason == FitReason::PlaneCannotServe) return std::nullopt;
+    // It serves all, as a map that was fitted does.
+    fit.servedCount = 0;
+    fit.reason = earlier.reason;
+    return fit;
 }
 
 } // namespace Lixel

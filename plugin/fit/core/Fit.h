@@ -21,4 +21,15 @@ ShadowFit fitWithRule(const ShadowProblem& problem, FitState& state, const WarpR
     @param state its scratch memory is used */
 void focusOnWindow(ShadowFit& fit, FitState& state) noexcept;
 
+/** A fit whose texels are those of an earlier map, of the same size and for the same light: what
+    both maps show lies in texels on the same rays, so that its shadows' edges stay where they are.
+    Only the map's window moves, by whole texels, and its depths are new.
+
+    @param wsShift of the problem's origin relative to the earlier map's, in world units
+    @return none where there is nothing to draw, or where the earlier map's texels are too fine for
+    a map of its size to show the region
+*/
+std::optional<ShadowFit> fitToTexels(const ShadowProblem& problem, FitState& state,
+                                     const ShadowFit& earlier, const Vec3& wsShift) noexcept;
+
 } // namespace Lixel

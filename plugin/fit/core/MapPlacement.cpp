@@ -1,5 +1,7 @@
 #include "fit/core/MapPlacement.h"
 
+#include "fit/core/Warp.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -147,6 +149,39 @@ Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius,
     result.mapFromWarped = h * warpMatrix(warp, centre).inverse();
     result.border.setConstant(leastBorder(filterRadius));
     return result;
+}
+
+std::optional<Mat3> movedByTexels(const Mat3& homography, const ShadowProblem& problem,
+                                  const FocusRegion& region, double thickness, double liReach,
+                                  PlacementScratch& scratch) {
+    if (!homography.allFinite() || !(homography.determinant() > 0.0) ||
+        !(homography.row(2).dot(region.liCentre.homogeneous()) > 0.0))
+        return std::nullopt;
+    Vec2 warp;
+    const Mat3 mapFromWarped =
+        affineOf(homography, region.liCentre, problem.filterRadius, warp).mapFromWarped;
+    Vec2 safe = warp;
+    if (pullIntoSafeSet(region.liHull, region.liCentre, thickness, safe) < 1.0) return std::nullopt;
+    warpPolygon(region.liHull, region.liCentre, warp, scratch.warped);
+    Mat3 moved = homography;
+    for (const int axis : {0, 1}) {
+        // In texels from the map's middle.
+        const double size = axis == 0 ? problem.mapWidth : problem.mapHeight;
+        const Vec2 texels = 0.5 * size * mapFromWarped.row(axis).head<2>().transpose();
+        const double rounding =
+            magnification(scratch.warped, warp, texels) * PositionRounding * liReach;
+        if (!(rounding <= GreatestBorderRounding)) return std::nullopt;
+        const double offset = 0.5 * size * mapFromWarped(axis, 2);
+        const double upper = support(scratch.warped, texels) + offset;
+        const double lower = offset - support(scratch.warped, -texels);
+        const double room = 0.5 * size - rounding - leastBorder(problem.filterRadius);
+        const double least = std::ceil(-room - lower);
+        const double greatest = std::floor(room - upper);
+        if (!(least <= greatest)) return std::nullopt;
+        const double shift = std::clamp(std::round(-(lower + upper) / 2.0), least, greatest);
+        moved.row(axis) += 2.0 * shift / size * homography.row(2);
+    }
+    return moved;
 }
 
 void growByBorder(const Affine& affine, const Vec2& size, const Vec2& warp,

@@ -54,6 +54,19 @@ Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const 
 /// @param[out] warp of its row w
 Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp);
 
+/** A map that was placed for another region, moved by whole texels to where it shows this one in its
+    middle, with a border as of placeRegion's maps.
+
+    Whole texels leave all of its texels where they are: on the same rays of the light.
+
+    @param homography rows x, y and w of the map, acting on ℓ
+    @param thickness, liReach as WarpContext has them
+    @return none where the region is too large for the map, or where the map's warp is not safe there
+*/
+std::optional<Mat3> movedByTexels(const Mat3& homography, const ShadowProblem& problem,
+                                  const FocusRegion& region, double thickness, double liReach,
+                                  PlacementScratch& scratch);
+
 /// The focus region and what a receiver's filter reaches beyond it, in the light image: the warped
 /// hull's sum with a rectangle of the map's border, with few vertices, unwarped.
 /// @param size of the map, in texels
