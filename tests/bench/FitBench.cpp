@@ -3,7 +3,8 @@
 //     lixel-bench-fit [--benchmark_filter=REGEX] [other options of Google Benchmark]
 //
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
-// viewer turns a little from one fit to the next, as it does from frame to frame.
+// viewer turns a little from one fit to the next, as it does from frame to frame. Each fit is measured
+// with bodies of which only the boxes are known, and with ones that are known to be convex.
 #include "fit/core/FitState.h"
 #include "fit/technique/Techniques.h"
 
@@ -43,10 +44,28 @@ Mat4 projection() {
     return m;
 }
 
+/// Bodies of which each fills its box, the same among casters and receivers.
+class Boxes final : public BodyShapes {
+public:
+    explicit Boxes(const BoxSet& boxes) : mBoxes(boxes) {}
+
+    const BodyHull* hullOf(std::size_t, Transform3&) const noexcept override { return nullptr; }
+    const void* identityOf(std::size_t index) const noexcept override {
+        return reinterpret_cast<const void*>(index + 1);
+    }
+    bool isConvex(std::size_t index, PlacedBox& around) const noexcept override {
+        around = {mBoxes.box(index), Transform3::Identity()};
+        return true;
+    }
+
+private:
+    const BoxSet& mBoxes;
+};
+
 /// The field, relative to a viewer 5 units above the middle of its ground.
 class Field {
 public:
-    Field(LightKind kind, int objects) {
+    Field(LightKind kind, int objects, bool convex) {
         constexpr double Eye = 5.0;
         const double reach = 10.0 * std::sqrt(objects);
         std::mt19937 engine(1);
@@ -69,6 +88,7 @@ public:
         }
         problem.casters = &mBodies;
         problem.receivers = &mBodies;
+        if (convex) problem.casterShapes = problem.receiverShapes = &mShapes;
     }
     Field(const Field&) = delete;
     Field& operator=(const Field&) = delete;
@@ -84,10 +104,12 @@ public:
 
 private:
     BoxSet mBodies;
+    Boxes mShapes{mBodies};
 };
 
-void measure(benchmark::State& state, const FitTechnique& technique, LightKind kind, int objects) {
-    Field field(kind, objects);
+void measure(benchmark::State& state, const FitTechnique& technique, LightKind kind, int objects,
+             bool convex) {
+    Field field(kind, objects, convex);
     const std::shared_ptr<void> options = technique.makeOptions(nullptr);
     FitState memory;
     int frame = 0;
@@ -109,14 +131,15 @@ int main(int argc, char** argv) {
     using namespace Lixel::Bench;
     for (const Lixel::FitTechnique* const technique : Lixel::techniques())
         for (const Light& light : Lights)
-            for (const int objects : Sizes) {
-                const std::string name =
-                    std::string(technique->name) + "/" + light.name + "/" + std::to_string(objects);
-                benchmark::RegisterBenchmark(name.c_str(), [technique, light,
-                                                            objects](auto& state) {
-                    measure(state, *technique, light.kind, objects);
-                })->Unit(benchmark::kMicrosecond);
-            }
+            for (const int objects : Sizes)
+                for (const bool convex : {false, true}) {
+                    const std::string name = std::string(technique->name) + "/" + light.name + "/" +
+                                             std::to_string(objects) + (convex ? "/convex" : "");
+                    const auto run = [technique, light, objects, convex](auto& state) {
+                        measure(state, *technique, light.kind, objects, convex);
+                    };
+                    benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
+                }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();

@@ -53,13 +53,43 @@ Vec3 pointOf(const Bodies& bodies, std::size_t index, Dice& dice) {
     return bodies.point(index, JustInside * at);
 }
 
+/// A point of a receiver.
+struct ReceiverPoint {
+    std::size_t receiver;
+    Vec3 ws;
+};
+
 void appendHits(const Bodies& receivers, const Vec3& origin, const Vec3& direction,
-                std::vector<Vec3>& points) {
+                std::vector<ReceiverPoint>& points) {
     for (std::size_t i = 0; i < receivers.size(); ++i)
         if (const auto hit = receivers.meet(i, origin, direction)) {
-            if (hit->begin > 0.0) points.push_back(origin + hit->begin * direction);
-            if (hit->end > 0.0) points.push_back(origin + hit->end * direction);
+            if (hit->begin > 0.0) points.push_back({i, origin + hit->begin * direction});
+            if (hit->end > 0.0) points.push_back({i, origin + hit->end * direction});
         }
+}
+
+std::vector<ReceiverPoint> visibleReceiverPoints(const Scene& scene, Dice& dice, std::size_t rays) {
+    std::vector<ReceiverPoint> points;
+    const Bodies receivers = receiversOf(scene);
+    // Rays of the view. Clip depths -1 and 0 are finite without a far plane too.
+    const Mat4 worldFromClip =
+        scene.viewer.viewFromWorld.inverse() * scene.viewer.clipFromView.inverse();
+    for (std::size_t i = 0; i < rays; ++i) {
+        const double x =
+            dice.chance(0.2) ? std::copysign(1.0 - 1e-9, dice.in(-1.0, 1.0)) : dice.in(-1.0, 1.0);
+        const double y =
+            dice.chance(0.2) ? std::copysign(1.0 - 1e-9, dice.in(-1.0, 1.0)) : dice.in(-1.0, 1.0);
+        const Vec3 begin = (worldFromClip * Vec4(x, y, -1.0, 1.0)).hnormalized();
+        const Vec3 end = (worldFromClip * Vec4(x, y, 0.0, 1.0)).hnormalized();
+        appendHits(receivers, begin, end - begin, points);
+    }
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        Vec3 at = dice.cube().cwiseSign();
+        if (dice.chance(0.5)) at[static_cast<Eigen::Index>(dice.below(3))] = dice.in(-1.0, 1.0);
+        points.push_back({i, receivers.point(i, at)});
+    }
+    std::erase_if(points, [&](const ReceiverPoint& p) { return !sees(scene.viewer, p.ws); });
+    return points;
 }
 
 } // namespace
@@ -104,7 +134,7 @@ Vec3 towardsLight(const ShadowLight& light, const Vec3& ws) {
                                                 : Vec3((light.wsPosition - ws).normalized());
 }
 
-std::optional<Vec3> occluder(const Scene& scene, const Vec3& ws) {
+std::optional<Vec3> occluder(const Scene& scene, std::size_t receiver, const Vec3& ws) {
     if (!shinesOn(scene.light, ws)) return std::nullopt;
     const Vec3 direction = towardsLight(scene.light, ws);
     double last = Infinity;
@@ -119,48 +149,34 @@ std::optional<Vec3> occluder(const Scene& scene, const Vec3& ws) {
     const double first = Contact * scene.size;
     double farthest = first;
     const Bodies casters = castersOf(scene);
-    for (std::size_t i = 0; i < casters.size(); ++i)
+    const std::uintptr_t self = scene.turnedReceivers.numberOf(receiver);
+    for (std::size_t i = 0; i < casters.size(); ++i) {
+        if (self != 0 && scene.turnedCasters.numberOf(i) == self) continue;
         if (const auto hit = casters.meet(i, ws, direction))
             if (hit->begin < last) farthest = std::max(farthest, std::min(hit->end, last));
+    }
     if (farthest == first) return std::nullopt;
     return ws + farthest * direction;
 }
 
 std::vector<Vec3> visiblePoints(const Scene& scene, Dice& dice, std::size_t rays) {
     std::vector<Vec3> points;
-    const Bodies receivers = receiversOf(scene);
-    // Rays of the view. Clip depths -1 and 0 are finite without a far plane too.
-    const Mat4 worldFromClip =
-        scene.viewer.viewFromWorld.inverse() * scene.viewer.clipFromView.inverse();
-    for (std::size_t i = 0; i < rays; ++i) {
-        const double x =
-            dice.chance(0.2) ? std::copysign(1.0 - 1e-9, dice.in(-1.0, 1.0)) : dice.in(-1.0, 1.0);
-        const double y =
-            dice.chance(0.2) ? std::copysign(1.0 - 1e-9, dice.in(-1.0, 1.0)) : dice.in(-1.0, 1.0);
-        const Vec3 begin = (worldFromClip * Vec4(x, y, -1.0, 1.0)).hnormalized();
-        const Vec3 end = (worldFromClip * Vec4(x, y, 0.0, 1.0)).hnormalized();
-        appendHits(receivers, begin, end - begin, points);
-    }
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
-        Vec3 at = dice.cube().cwiseSign();
-        if (dice.chance(0.5)) at[static_cast<Eigen::Index>(dice.below(3))] = dice.in(-1.0, 1.0);
-        points.push_back(receivers.point(i, at));
-    }
-    std::erase_if(points, [&](const Vec3& p) { return !sees(scene.viewer, p); });
+    for (const ReceiverPoint& p : visibleReceiverPoints(scene, dice, rays))
+        points.push_back(p.ws);
     return points;
 }
 
 std::vector<ShadowedPoint> shadowedPoints(const Scene& scene, Dice& dice, std::size_t rays) {
-    std::vector<Vec3> points = visiblePoints(scene, dice, rays);
+    std::vector<ReceiverPoint> points = visibleReceiverPoints(scene, dice, rays);
     const Bodies casters = castersOf(scene);
     for (std::size_t i = 0; i < rays && casters.size() > 0; ++i) {
         const Vec3 through = pointOf(casters, dice.below(casters.size()), dice);
         appendHits(receiversOf(scene), through, -towardsLight(scene.light, through), points);
     }
     std::vector<ShadowedPoint> result;
-    for (const Vec3& p : points)
-        if (sees(scene.viewer, p))
-            if (const auto by = occluder(scene, p)) result.push_back({p, *by});
+    for (const ReceiverPoint& p : points)
+        if (sees(scene.viewer, p.ws))
+            if (const auto by = occluder(scene, p.receiver, p.ws)) result.push_back({p.ws, *by});
     return result;
 }
 

@@ -34,8 +34,9 @@ bool shinesOn(const ShadowLight& light, const Vec3& ws);
 /// Towards the light, unit length.
 Vec3 towardsLight(const ShadowLight& light, const Vec3& ws);
 
-/// The occluder nearest to the light on the ray to a point, if there is one.
-std::optional<Vec3> occluder(const Scene& scene, const Vec3& ws);
+/// The occluder nearest to the light on the ray to a point of a receiver, if there is one; a convex
+/// body occludes nothing of itself.
+std::optional<Vec3> occluder(const Scene& scene, std::size_t receiver, const Vec3& ws);
 
 /// Points on the surfaces of receivers that the viewer sees.
 std::vector<Vec3> visiblePoints(const Scene& scene, Dice& dice, std::size_t rays);

@@ -151,6 +151,27 @@ const BodyHull* TurnedBoxes::hullOf(std::size_t index, Transform3& wsFromBody) c
     return &body->hull;
 }
 
+std::uintptr_t TurnedBoxes::numberOf(std::size_t index) const noexcept {
+    const auto found = std::ranges::find(convex, index, &ConvexBox::index);
+    return found != convex.end() ? found->number : 0;
+}
+
+void TurnedBoxes::clear() {
+    all.clear();
+    convex.clear();
+}
+
+const void* TurnedBoxes::identityOf(std::size_t index) const noexcept {
+    return reinterpret_cast<const void*>(numberOf(index));
+}
+
+bool TurnedBoxes::isConvex(std::size_t index, PlacedBox& around) const noexcept {
+    const auto found = std::ranges::find(convex, index, &ConvexBox::index);
+    if (found == convex.end()) return false;
+    around = found->around;
+    return true;
+}
+
 void addTurned(const Aabb& box, const Mat3& turn, BoxSet& set, TurnedBoxes& turned) {
     const auto own = corners({Vec3::Zero(), box.halfExtents});
     turned.all.push_back({set.size(), box, turn, makeBodyHull(own)});
@@ -158,12 +179,15 @@ void addTurned(const Aabb& box, const Mat3& turn, BoxSet& set, TurnedBoxes& turn
 }
 
 ShadowProblem Scene::problem() const {
+    const auto shapesOf = [](const TurnedBoxes& bodies) {
+        return bodies.all.empty() && bodies.convex.empty() ? nullptr : &bodies;
+    };
     return {.viewer = viewer,
             .light = light,
             .casters = &casters,
             .receivers = &receivers,
-            .casterShapes = turnedCasters.all.empty() ? nullptr : &turnedCasters,
-            .receiverShapes = turnedReceivers.all.empty() ? nullptr : &turnedReceivers,
+            .casterShapes = shapesOf(turnedCasters),
+            .receiverShapes = shapesOf(turnedReceivers),
             .mapWidth = mapWidth,
             .mapHeight = mapHeight,
             .filterRadius = filterRadius,
@@ -173,6 +197,21 @@ ShadowProblem Scene::problem() const {
 void Scene::addBody(const Aabb& box) {
     casters.add(box);
     receivers.add(box);
+}
+
+void Scene::addConvexBody(const Aabb& box) {
+    addBody(box);
+    setConvex(casters.size() - 1, receivers.size() - 1);
+}
+
+void Scene::setConvex(std::size_t caster, std::size_t receiver) {
+    PlacedBox around{casters.box(caster), Transform3::Identity()};
+    if (const TurnedBox* const body = turnedCasters.find(caster))
+        around = {{Vec3::Zero(), body->box.halfExtents},
+                  Eigen::Translation3d(body->box.centre) * Transform3(body->turn)};
+    const std::uintptr_t number = turnedCasters.convex.size() + 1;
+    turnedCasters.convex.push_back({caster, number, around});
+    turnedReceivers.convex.push_back({receiver, number, around});
 }
 
 Mat4 frustum(double left, double right, double bottom, double top, double nearDepth,
@@ -258,6 +297,11 @@ Scene scaled(const Scene& scene, double factor) {
                               TurnedBoxes& turnedTo) {
         to.clear();
         turnedTo.all.clear();
+        for (ConvexBox& body : turnedTo.convex) {
+            body.around.box.centre *= factor;
+            body.around.box.halfExtents *= factor;
+            body.around.wsFromBody.translation() *= factor;
+        }
         const auto scaledBox = [&](const Aabb& box) {
             return Aabb{box.centre * factor, box.halfExtents * factor};
         };
@@ -333,11 +377,32 @@ rc::Gen<Scene> anyScene() {
     return build;
 }
 
+namespace {
+
+/// Has some or all of the bodies that cast and receive say that they are convex.
+void sayConvex(Scene& scene, Dice& dice) {
+    if (dice.chance(0.3)) return;
+    const double share = dice.chance(0.5) ? 1.0 : dice.in(0.1, 1.0);
+    for (std::size_t i = 0; i < scene.casters.size(); ++i)
+        for (std::size_t k = 0; k < scene.receivers.size(); ++k) {
+            const Aabb caster = scene.casters.box(i);
+            const Aabb receiver = scene.receivers.box(k);
+            if (caster.centre == receiver.centre && caster.halfExtents == receiver.halfExtents &&
+                dice.chance(share))
+                scene.setConvex(i, k);
+        }
+}
+
+} // namespace
+
 rc::Gen<Scene> anySceneOfHulls() {
     return rc::gen::exec([] {
         Scene scene = *anyScene();
         Dice dice(*anySeed());
-        if (dice.chance(0.5)) return scene;
+        if (dice.chance(0.5)) {
+            sayConvex(scene, dice);
+            return scene;
+        }
         const double turns = dice.in(0.2, 1.0);
         const std::uint64_t seed = dice.below(1U << 30);
         const auto turnSome = [&](BoxSet& set, TurnedBoxes& turned) {
@@ -357,6 +422,7 @@ rc::Gen<Scene> anySceneOfHulls() {
         };
         turnSome(scene.casters, scene.turnedCasters);
         turnSome(scene.receivers, scene.turnedReceivers);
+        sayConvex(scene, dice);
         return scene;
     });
 }
@@ -461,6 +527,7 @@ std::ostream& operator<<(std::ostream& out, const Scene& scene) {
             const TurnedBox* const body = turned.find(i);
             out << "\n  " << (body != nullptr ? body->box : set.box(i));
             if (body != nullptr) out << " turned by\n" << body->turn;
+            if (turned.numberOf(i) != 0) out << " convex, number " << turned.numberOf(i);
         }
         if (set.unbounded() > 0) out << "\n  unbounded: " << set.unbounded();
         if (set.invalid() > 0) out << "\n  invalid: " << set.invalid();

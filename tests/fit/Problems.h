@@ -33,12 +33,27 @@ struct TurnedBox {
     BodyHull hull;
 };
 
-/// Those of a set's bodies that are turned boxes, by ascending index.
+/// A body of a set that says that it is convex.
+struct ConvexBox {
+    /// Of the set's box.
+    std::size_t index = 0;
+    /// The same for the body among casters as among receivers; greater than 0.
+    std::uintptr_t number = 0;
+    PlacedBox around;
+};
+
+/// Those of a set's bodies that are turned boxes, by ascending index, and that are convex.
 struct TurnedBoxes final : BodyShapes {
     std::vector<TurnedBox> all;
+    std::vector<ConvexBox> convex;
 
     const TurnedBox* find(std::size_t index) const;
+    /// The number of a convex body; 0 of others.
+    std::uintptr_t numberOf(std::size_t index) const noexcept;
+    void clear();
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
+    const void* identityOf(std::size_t index) const noexcept override;
+    bool isConvex(std::size_t index, PlacedBox& around) const noexcept override;
 };
 
 /// Adds a box that is turned to a set.
@@ -62,6 +77,10 @@ struct Scene {
     ShadowProblem problem() const;
     /// Adds a body that casts and receives.
     void addBody(const Aabb& box);
+    /// The same, which says that it is convex.
+    void addConvexBody(const Aabb& box);
+    /// Has a caster and a receiver, which must be at one place, say that they are one convex body.
+    void setConvex(std::size_t caster, std::size_t receiver);
 };
 
 /// How far inside the border of the scene's map a texel coordinate is; negative outside.
@@ -120,7 +139,8 @@ Dice anyDice();
 */
 rc::Gen<Scene> anyScene();
 
-/// The same, where in every other scene some of the bodies are turned, and say so.
+/// The same, where in every other scene some of the bodies are turned, and say so, and in two of
+/// three some that cast and receive say that they are convex.
 rc::Gen<Scene> anySceneOfHulls();
 
 /// Names the instances of a parameterised test by the parameter's `name`.

@@ -39,7 +39,7 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
     region.vsReceiverFar = visible.vsRange().y();
 
     // Casters between the light and a visible receiver.
-    RelevantCasters covering(problem, image, lit, visible.hull(), region.lsReceiverFar, scratch);
+    RelevantCasters covering(problem, image, lit, visible, region.receiversInView, scratch);
     covering.addAll(casters);
     region.lsCasterNear = covering.lsNear();
     if (casters.unbounded() > 0) {

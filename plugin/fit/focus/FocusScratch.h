@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/focus/ConvexBodies.h"
 #include "fit/focus/ImageHull.h"
 #include "fit/focus/SharedEdges.h"
 #include "fit/geometry/BoxSet.h"
@@ -11,6 +12,10 @@ struct FocusScratch {
     ClipScratch clip;
     /// The casters that may reach into what covers visible receivers.
     BoxSet kept;
+    /// Those of the largest that cannot shadow themselves.
+    ConvexBodies convex;
+    /// The receivers that may be behind one of those.
+    BoxSet behind;
     /// What is left of receivers or casters after the first questions.
     BoxSet afterFirstPlanes;
     /// Half spaces that boxes are asked about.
@@ -21,6 +26,7 @@ struct FocusScratch {
     std::vector<FourEdges> receiverEdges;
     ImageHull casters;
     Polygon2 caster;
+    Polygon2 convexImage;
     Polygon2 polygon;
 };
 

@@ -176,6 +176,21 @@ void ImageHull::findFlatness() {
               mTwiceArea > FlatWidth * mCoordinate * std::sqrt(mSquaredLength));
 }
 
+bool ImageHull::holds(std::span<const Vec2> points) const {
+    if (mFlat) return false;
+    const double slack = clipSlack(mCoordinate);
+    Vec2 from = mHull.back();
+    for (const Vec2& to : mHull) {
+        const Vec2 along = to - from;
+        const double least = -slack * (std::abs(along.x()) + std::abs(along.y()));
+        if (std::ranges::any_of(points,
+                                [&](const Vec2& p) { return !(cross(along, p - from) >= least); }))
+            return false;
+        from = to;
+    }
+    return true;
+}
+
 void ImageHull::add(std::span<const Vec2> points) {
     while (!points.empty()) {
         // A flat hull is found by sorting, which never loses its ends.

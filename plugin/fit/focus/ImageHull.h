@@ -19,6 +19,9 @@ public:
     void reset(const LightImage& image);
     void add(std::span<const Vec2> points);
 
+    /// Whether none of the points would make the hull larger, except by rounding.
+    bool holds(std::span<const Vec2> points) const;
+
     /// The hull of all points added so far.
     const Polygon2& hull() const { return mHull; }
     /// For each edge, from its vertex on, the half space of rays on its inner side; none where the

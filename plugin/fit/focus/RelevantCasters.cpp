@@ -5,21 +5,32 @@
 #include <algorithm>
 
 namespace Lixel {
+namespace {
+
+/// With fewer casters than this, each is looked at sooner than those at the rim are found.
+constexpr std::size_t LeastForRim = 32;
+
+/// Vertices of the receivers' hull at which one is looked for, at most.
+constexpr std::size_t MostOfRim = 12;
+
+} // namespace
 
 RelevantCasters::RelevantCasters(const ShadowProblem& problem, const LightImage& image,
-                                 const ConvexVolume& lit, const ImageHull& receivers,
-                                 double lsReceiverFar, FocusScratch& scratch)
+                                 const ConvexVolume& lit, const VisibleReceivers& visible,
+                                 const BoxSet& inView, FocusScratch& scratch)
     : mProblem(problem),
       mImage(image),
       mLit(lit),
-      mReceivers(receivers),
+      mSeen(visible.seen()),
+      mReceivers(visible.hull()),
+      mInView(inView),
       mScratch(scratch),
       mLsDepth(lsDepthOf(image)),
-      mLsReceiverFar(lsReceiverFar),
-      mCoordinate(largestCoordinate(receivers.hull())) {
+      mLsReceiverFar(visible.lsRange().y()),
+      mCoordinate(largestCoordinate(mReceivers.hull())) {
     scratch.casters.reset(image);
     mRevision = scratch.casters.revision();
-    prepareEdges(receivers.hull(), 2.0 * clipSlack(mCoordinate), scratch.receiverEdges);
+    prepareEdges(mReceivers.hull(), 2.0 * clipSlack(mCoordinate), scratch.receiverEdges);
 }
 
 void RelevantCasters::addAll(const BoxSet& casters) {
@@ -34,7 +45,14 @@ void RelevantCasters::addAll(const BoxSet& casters) {
     planes.push_back(mLsDepth.to(mLsReceiverFar));
     keepReaching(casters, planes, mScratch.afterFirstPlanes, mScratch.kept);
 
+    // A receiver without bounds may be behind any body.
+    if (mProblem.receivers->unbounded() == 0)
+        mScratch.convex.find(mProblem, mScratch.kept, mInView);
+    else
+        mScratch.convex.clear();
+
     planes.clear();
+    if (!mScratch.convex.all().empty()) addRim();
     addAllBut(
         mScratch.kept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
         [this](const Aabb& box, std::size_t index) {
@@ -43,6 +61,30 @@ void RelevantCasters::addAll(const BoxSet& casters) {
             add(box, index);
             return revision != mScratch.casters.revision() || lsNear != mLsNear;
         });
+    for (const ConvexBody& body : mScratch.convex.all())
+        addConvex(body);
+}
+
+void RelevantCasters::addRim() {
+    const BoxSet& kept = mScratch.kept;
+    const Polygon2& outer = mReceivers.hull();
+    if (kept.size() < LeastForRim || outer.size() < 3) return;
+    std::array<Vec3, MostOfRim> directions;
+    const std::size_t count = std::min(outer.size(), MostOfRim);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = i * outer.size() / count;
+        const Vec2& vertex = outer[at];
+        const Vec2 before = (vertex - outer[at > 0 ? at - 1 : outer.size() - 1]).stableNormalized();
+        const Vec2 after = (outer[at + 1 < outer.size() ? at + 1 : 0] - vertex).stableNormalized();
+        // Between the outward normals of the vertex's edges; a local light's points by their depth.
+        const Vec2 outward(before.y() + after.y(), -before.x() - after.x());
+        const double z = mImage.directional() ? 0.0 : outward.dot(vertex);
+        directions[i] = mImage.lsFromWs().transpose() * Vec3(outward.x(), outward.y(), z);
+    }
+    std::array<std::size_t, MostOfRim> rim;
+    farBoxes(kept, std::span(directions).first(count), rim);
+    for (std::size_t i = 0; i < count; ++i)
+        add(kept.box(rim[i]), kept.origin(rim[i]));
 }
 
 unsigned RelevantCasters::lanesWithin(const BoxSet::Block& block) {
@@ -72,26 +114,66 @@ void RelevantCasters::findInnerEdges() {
 }
 
 void RelevantCasters::add(const Aabb& box, std::size_t index) {
-    const ConvexVolume::Side side = mLit.classify(box);
-    if (side == ConvexVolume::Side::Outside) return;
-    double nearest = mLsDepth.over(box).x();
+    if (mScratch.convex.hasCaster(index)) return;
+    const double nearest = project(box, index);
+    if (mScratch.points.empty() || !clipToReceivers(box)) return;
+    mLsNear = std::min(mLsNear, nearest);
+    mScratch.casters.add(mScratch.points);
+}
+
+double RelevantCasters::project(const Aabb& box, std::size_t index) {
+    double nearest = std::numeric_limits<double>::infinity();
     mScratch.points.clear();
+    const ConvexVolume::Side side = mLit.classify(box);
+    if (side == ConvexVolume::Side::Outside) return nearest;
     const PlacedHull body(mProblem.casterShapes, index);
     if (body.hull == nullptr && side == ConvexVolume::Side::Inside) {
         for (const Vec2& point : boxImage(mImage, box))
             mScratch.points.push_back(point);
-    } else {
-        nearest = std::numeric_limits<double>::infinity();
-        body.clip(box, mLit, mScratch);
-        forClipped(mProblem, mImage, mScratch, [&](const Vec3&, const Vec3& ls) {
-            nearest = std::min(nearest, -ls.z());
+        return mLsDepth.over(box).x();
+    }
+    body.clip(box, mLit, mScratch);
+    forClipped(mProblem, mImage, mScratch, [&](const Vec3&, const Vec3& ls) {
+        nearest = std::min(nearest, -ls.z());
+        mScratch.points.push_back(mImage.project(ls));
+    });
+    return nearest;
+}
+
+void RelevantCasters::addConvex(const ConvexBody& body) {
+    const Aabb box = mProblem.casters->box(body.caster);
+    const double nearest = project(box, body.caster);
+    if (mScratch.points.empty() || !clipToReceivers(box)) return;
+    // Most are among others, and whether they shadow themselves makes no difference.
+    if (mScratch.casters.holds(mScratch.points)) {
+        mLsNear = std::min(mLsNear, nearest);
+        return;
+    }
+    convexHull(mScratch.points, mScratch.convexImage);
+    std::array<HalfSpace, 3> behind;
+    const std::size_t count =
+        behindLitFaces(body.around, mImage, mProblem.receivers->extent(), behind);
+    const std::span<const HalfSpace> planes(behind.data(), count);
+    keepReaching(mInView, planes, mScratch.afterFirstPlanes, mScratch.behind);
+    ConvexVolume shadowed = mSeen;
+    shadowed.add(planes);
+    const auto isDone = [&](const BoxSet::Block& block) {
+        return nearest < mLsNear ? 0U : lanesWithin(block);
+    };
+    addAllBut(mScratch.behind, isDone, [&](const Aabb& receiver, std::size_t index) {
+        if (index == body.receiver) return false;
+        PlacedHull(mProblem.receiverShapes, index).clip(receiver, shadowed, mScratch);
+        mScratch.points.clear();
+        forClipped(mProblem, mImage, mScratch, [this](const Vec3&, const Vec3& ls) {
             mScratch.points.push_back(mImage.project(ls));
         });
-    }
-    if (mScratch.points.empty()) return;
-    if (!clipToReceivers(box)) return;
-    mLsNear = std::min(mLsNear, nearest);
-    mScratch.casters.add(mScratch.points);
+        convexHull(mScratch.points, mScratch.caster);
+        intersect(mScratch.convexImage, mScratch.caster, mScratch.points, mScratch.polygon);
+        if (mScratch.points.empty()) return false;
+        mLsNear = std::min(mLsNear, nearest);
+        mScratch.casters.add(mScratch.points);
+        return true;
+    });
 }
 
 bool RelevantCasters::clipToReceivers(const Aabb& box) {

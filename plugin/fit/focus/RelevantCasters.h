@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/focus/FocusScratch.h"
 #include "fit/focus/LightVolume.h"
+#include "fit/focus/VisibleReceivers.h"
 
 #include <limits>
 
@@ -11,10 +11,10 @@ namespace Lixel {
 class RelevantCasters {
 public:
     /// @param lit what the light reaches; must outlive this
-    /// @param receivers hull of the visible receivers; must outlive this
-    /// @param lsReceiverFar distance of the farthest visible receiver along the light's axis
+    /// @param visible the visible receivers; must outlive this
+    /// @param inView the receivers that may reach into what is in view; must outlive this
     RelevantCasters(const ShadowProblem& problem, const LightImage& image, const ConvexVolume& lit,
-                    const ImageHull& receivers, double lsReceiverFar, FocusScratch& scratch);
+                    const VisibleReceivers& visible, const BoxSet& inView, FocusScratch& scratch);
 
     void addAll(const BoxSet& casters);
 
@@ -24,6 +24,9 @@ public:
     double lsNear() const { return mLsNear; }
 
 private:
+    /// Adds casters near the vertices of the receivers' hull first: what lies between them need not
+    /// be looked at one by one.
+    void addRim();
     /// The lanes of boxes that change nothing: clipped to the receivers, they would not widen the
     /// hull, and they are no nearer to the light than what was added.
     unsigned lanesWithin(const BoxSet::Block& block);
@@ -31,6 +34,11 @@ private:
     void findInnerEdges();
     /// @param index of the body in the problem's set
     void add(const Aabb& box, std::size_t index);
+    /// Leaves the image of what is lit of a caster in the scratch memory's points.
+    /// @return its least distance along the light; infinite where there are no points
+    double project(const Aabb& box, std::size_t index);
+    /// Adds what a convex body covers of visible receivers behind it: of all except itself.
+    void addConvex(const ConvexBody& body);
     /// Of each caster only what covers visible receivers: one that touches them with a corner then
     /// joins the region with that corner, and not with all of itself.
     /// @return whether anything is left of the points
@@ -39,7 +47,9 @@ private:
     const ShadowProblem& mProblem;
     const LightImage& mImage;
     const ConvexVolume& mLit;
+    const ConvexVolume& mSeen;
     const ImageHull& mReceivers;
+    const BoxSet& mInView;
     FocusScratch& mScratch;
     Gauge mLsDepth;
     double mLsReceiverFar;

@@ -21,6 +21,8 @@ public:
 
     /// Hull of what was added, in the light image.
     const ImageHull& hull() const { return mScratch.receivers; }
+    /// What is in view and lit, and in the problem's part.
+    const ConvexVolume& seen() const { return mSeen; }
     /// Least and greatest distance along the light's axis, and depth in front of the viewer.
     const Vec2& lsRange() const { return mLsRange; }
     const Vec2& vsRange() const { return mVsRange; }

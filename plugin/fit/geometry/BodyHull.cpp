@@ -35,6 +35,9 @@ const std::array<Vec3, AxisCount>& axes() {
     return all;
 }
 
+/// Coordinates that float may have rounded differ by this part of them, at most.
+constexpr double FloatRounding = 0x1p-22;
+
 /// Points that are looked at together: few enough for the fastest memory.
 constexpr std::size_t BlockSize = 256;
 
@@ -173,6 +176,10 @@ BodyHull BodyHullBuilder::build() const {
     for (Vec3& vertex : hull.vertices)
         vertex += Outward * (vertex - box.centre);
     hull.volume = volumeOf(hull);
+    const Vec3 reach = upper.cwiseAbs().cwiseMax(lower.cwiseAbs());
+    for (std::size_t i = 0; i < Axes; ++i)
+        hull.flat =
+            hull.flat || mMost[i] - mLeast[i] <= FloatRounding * axes()[i].cwiseAbs().dot(reach);
     return hull;
 }
 

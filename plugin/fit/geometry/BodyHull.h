@@ -24,6 +24,9 @@ struct BodyHull {
     std::uint32_t faces = 0;
     /// In the cube of the mesh's unit.
     double volume = 0.0;
+    /// Whether all points lie in one plane, across one of the faces' normals, as exactly as floats
+    /// can tell.
+    bool flat = false;
 
     bool empty() const { return vertices.empty(); }
 };
@@ -53,11 +56,34 @@ private:
 void clipHull(const BodyHull& hull, const Transform3& wsFromBody, const ConvexVolume& volume,
               ClipScratch& scratch, std::vector<Vec3>& points);
 
+/// A box in a body's own space.
+struct PlacedBox {
+    Aabb box;
+    /// To world axes relative to the problem's origin.
+    Transform3 wsFromBody = Transform3::Identity();
+};
+
 /// What is known of the bodies of a set beyond their boxes. A fit asks for those few that its map
 /// would have to be larger for.
 class BodyShapes {
 public:
     virtual ~BodyShapes() = default;
+
+    /// What tells the body from all others, among casters as among receivers; null where nothing
+    /// does.
+    virtual const void* identityOf(std::size_t /*index*/) const noexcept { return nullptr; }
+
+    /** Whether the body is known to be convex: a flat sheet, or the closed surface of a convex
+        body, of which the outside is drawn.
+
+        No light ray meets such a body twice on sides that face the light. So whatever it shadows of
+        itself faces away from the light (n . l <= 0), and is dark without a map. Materials must
+        shade it so, by the normals of its surface. A sheet that is lit on the side that the
+        viewer does not see is dark in the same way, whether or not both its sides are drawn.
+        @param[out] around a box around the body, where the answer is true */
+    virtual bool isConvex(std::size_t /*index*/, PlacedBox& /*around*/) const noexcept {
+        return false;
+    }
 
     /** @param index of the body's box in its set
         @param wsFromBody is set to world axes relative to the problem's origin, from the hull's

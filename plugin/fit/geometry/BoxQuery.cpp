@@ -3,6 +3,8 @@
 #include "fit/geometry/Multiversion.h"
 #include "fit/geometry/Simd.h"
 
+#include <limits>
+
 namespace Lixel {
 namespace {
 
@@ -149,20 +151,97 @@ unsigned lanesInside(const BoxSet::Block& block, std::span<const HalfSpace> plan
     return notNegative(low, high);
 }
 
-std::size_t largestBox(const BoxSet& boxes) {
-    double largest = -1.0;
-    std::size_t result = 0;
-    std::size_t index = 0;
-    for (const BoxSet::Block& block : boxes.blocks())
-        for (std::size_t lane = 0; lane < BoxSet::BlockSize; ++lane, ++index) {
-            const double size = block.halfExtents[0][lane] + block.halfExtents[1][lane] +
-                                block.halfExtents[2][lane];
-            if (size > largest && index < boxes.size()) {
-                largest = size;
-                result = index;
-            }
+namespace {
+
+/// Blocks that are looked at for the farthest box, at most: more cost more time than they spare.
+constexpr std::size_t FarBlocks = 64;
+
+/// The box farthest along a direction, of every `step`th block.
+LIXEL_MULTIVERSION
+std::size_t farthestBox(const BoxSet& boxes, const Vec3& direction, std::size_t step) {
+    const std::span<const BoxSet::Block> blocks = boxes.blocks();
+    double most = -std::numeric_limits<double>::infinity();
+    std::size_t farthest = 0;
+    for (std::size_t i = 0; i < blocks.size(); i += step) {
+        std::array<double, BoxSet::BlockSize> along;
+        Four greatest = Four{} + most;
+        for (std::size_t lane = 0; lane < BoxSet::BlockSize; lane += 4) {
+            Four x;
+            Four y;
+            Four z;
+            load(&blocks[i].centre[0][lane], x);
+            load(&blocks[i].centre[1][lane], y);
+            load(&blocks[i].centre[2][lane], z);
+            const Four value = direction[0] * x + direction[1] * y + direction[2] * z;
+            store(value, &along[lane]);
+            greater(value, greatest, greatest);
         }
+        const FourMask better = greatest > most;
+        if (bitsOf(better) == 0) continue;
+        for (unsigned lanes = boxes.lanes(i); lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            if (!(along[lane] > most)) continue;
+            most = along[lane];
+            farthest = i * BoxSet::BlockSize + lane;
+        }
+    }
+    return farthest;
+}
+
+} // namespace
+
+void farBoxes(const BoxSet& boxes, std::span<const Vec3> directions,
+              std::span<std::size_t> farthest) {
+    const std::size_t step = (boxes.blocks().size() + FarBlocks - 1) / FarBlocks;
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        farthest[i] = farthestBox(boxes, directions[i], std::max(step, std::size_t{1}));
+}
+
+std::size_t largestBox(const BoxSet& boxes) {
+    std::size_t result = 0;
+    largestBoxes(boxes, {&result, 1});
     return result;
+}
+
+namespace {
+
+/// The lanes of a block whose sum of half extents is greater than that.
+LIXEL_MULTIVERSION
+unsigned lanesLargerThan(const BoxSet::Block& block, double size) {
+    std::array<FourMask, 2> larger;
+    for (std::size_t half = 0; half < 2; ++half) {
+        Four x;
+        Four y;
+        Four z;
+        load(&block.halfExtents[0][4 * half], x);
+        load(&block.halfExtents[1][4 * half], y);
+        load(&block.halfExtents[2][4 * half], z);
+        larger[half] = x + y + z > size;
+    }
+    return bitsOf(larger[0]) | bitsOf(larger[1]) << 4;
+}
+
+} // namespace
+
+std::size_t largestBoxes(const BoxSet& boxes, std::span<std::size_t> largest) {
+    std::size_t count = 0;
+    double least = -1.0; // the size that there is no room for
+    const auto sizeOf = [&](std::size_t index) { return boxes.box(index).halfExtents.sum(); };
+    for (std::size_t block = 0; block < boxes.blocks().size(); ++block) {
+        unsigned lanes = lanesLargerThan(boxes.blocks()[block], least) & boxes.lanes(block);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const std::size_t index =
+                block * BoxSet::BlockSize + static_cast<std::size_t>(std::countr_zero(lanes));
+            const double size = sizeOf(index);
+            if (!(size > least)) continue;
+            std::size_t at = count < largest.size() ? count++ : count - 1;
+            for (; at > 0 && sizeOf(largest[at - 1]) < size; --at)
+                largest[at] = largest[at - 1];
+            largest[at] = index;
+            if (count == largest.size()) least = sizeOf(largest[count - 1]);
+        }
+    }
+    return count;
 }
 
 } // namespace Lixel

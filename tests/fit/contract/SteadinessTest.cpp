@@ -165,6 +165,8 @@ std::vector<bool> bodiesThatCount(const Scene& scene) {
         counts.push_back(hasMap(region.reason));
     };
     Scene one = scene;
+    one.turnedCasters.convex.clear();
+    one.turnedReceivers.convex.clear();
     for (const Aabb& box : scene.casters.boxes()) {
         one.casters.clear();
         one.casters.add(box);

@@ -299,3 +299,75 @@ RC_GTEST_PROP(FocusRegion, IsAConvexPolygonAroundItsCentre, ()) {
     RC_ASSERT(region.lsReceiverNear <= region.lsReceiverFar);
     RC_ASSERT(region.vsReceiverNear <= region.vsReceiverFar);
 }
+
+namespace {
+
+/// What is at noon, with the ground as a caster that is known to be convex, unless told otherwise.
+Scene noonOnConvexGround(bool known = true) {
+    Scene scene = noon();
+    scene.casters.add(scene.receivers.box(0));
+    if (known) scene.setConvex(0, 0);
+    return scene;
+}
+
+} // namespace
+
+TEST(FocusRegion, HoldsNothingOfAConvexGroundAlone) {
+    EXPECT_EQ(regionOf(noonOnConvexGround()).reason, FitReason::NothingShadowed);
+    EXPECT_EQ(regionOf(noonOnConvexGround(false)).reason, FitReason::None);
+}
+
+TEST(FocusRegion, IsAnotherCastersImageOnAConvexGround) {
+    Scene scene = noonOnConvexGround();
+    scene.casters.add({Vec3(1.0, 3.0, -0.5), Vec3(0.5, 1.0, 0.25)});
+    const FocusRegion region = regionOf(scene);
+    ASSERT_EQ(region.reason, FitReason::None);
+    EXPECT_NEAR(extentAlong(scene, region, Vec3::UnitX()), 1.5, 1e-12);
+    EXPECT_NEAR(extentAlong(scene, region, -Vec3::UnitX()), -0.5, 1e-12);
+    EXPECT_NEAR(extentAlong(scene, region, -Vec3::UnitZ()), 0.75, 1e-12);
+    EXPECT_NEAR(region.lsCasterNear, -4.0, 1e-12);
+}
+
+TEST(FocusRegion, HoldsWhatAConvexGroundShadowsOfOthers) {
+    Scene scene = noonOnConvexGround();
+    scene.receivers.add({Vec3(-2.0, 1.0, 1.0), Vec3(0.5, 0.5, 0.5)});  // above it
+    scene.receivers.add({Vec3(2.0, -1.0, 1.0), Vec3(0.5, 0.5, 0.25)}); // below
+    scene.receivers.add({Vec3(3.0, 0.0, -1.0), Vec3(0.5, 0.5, 0.5)});  // half of either
+    const FocusRegion region = regionOf(scene);
+    ASSERT_EQ(region.reason, FitReason::None);
+    EXPECT_NEAR(extentAlong(scene, region, -Vec3::UnitX()), -1.5, 1e-12);
+    EXPECT_NEAR(extentAlong(scene, region, Vec3::UnitX()), 3.5, 1e-12);
+    EXPECT_NEAR(extentAlong(scene, region, Vec3::UnitZ()), 1.25, 1e-12);
+    EXPECT_NEAR(extentAlong(scene, region, -Vec3::UnitZ()), 1.5, 1e-12);
+    EXPECT_NEAR(region.lsCasterNear, 0.0, 1e-12);
+}
+
+TEST(FocusRegion, HoldsWhatConvexBodiesShadowOfEachOther) {
+    Scene scene = noonOnConvexGround();
+    scene.addConvexBody({Vec3(1.0, 2.0, 0.0), Vec3(0.5, 0.5, 0.5)});
+    scene.addConvexBody({Vec3(1.0, 4.0, 0.0), Vec3(0.25, 0.5, 1.0)});
+    const FocusRegion region = regionOf(scene);
+    ASSERT_EQ(region.reason, FitReason::None);
+    EXPECT_NEAR(extentAlong(scene, region, -Vec3::UnitX()), -0.5, 1e-12);
+    EXPECT_NEAR(extentAlong(scene, region, Vec3::UnitX()), 1.5, 1e-12);
+    EXPECT_NEAR(extentAlong(scene, region, Vec3::UnitZ()), 1.0, 1e-12);
+}
+
+TEST(FocusRegion, TakesAReceiverWithoutBoundsForShadowedByAConvexGround) {
+    Scene scene = noonOnConvexGround();
+    scene.receivers.addUnbounded();
+    const FocusRegion region = regionOf(scene);
+    EXPECT_EQ(region.reason, FitReason::UnboundedBody);
+    EXPECT_NEAR(extentAlong(scene, region, Vec3::UnitX()), 4.0, 1e-12);
+}
+
+TEST(FocusRegion, HoldsNothingOfAConvexBoxAroundALamp) {
+    Scene scene = lampOverFloor();
+    scene.addConvexBody({scene.light.wsPosition, Vec3(1.0, 1.0, 1.0)});
+    // The lamp's box shadows the floor wherever the lamp shines.
+    Scene alone = lampOverFloor();
+    alone.casters.add({scene.light.wsPosition, Vec3(1.0, 1.0, 1.0)});
+    const FocusRegion region = regionOf(scene);
+    ASSERT_EQ(region.reason, FitReason::None);
+    EXPECT_NEAR(steinerPoint(region.liHull).x(), steinerPoint(regionOf(alone).liHull).x(), 1e-12);
+}

@@ -177,7 +177,7 @@ TEST(BodyHull, MakesTheMapOfATurnedPlankSmaller) {
     const Mat3 turn = Eigen::AngleAxisd(std::numbers::pi / 4.0, Vec3::UnitY()).toRotationMatrix();
     addTurned({Vec3(0, 0.5, 0), Vec3(5, 0.2, 0.2)}, turn, scene.casters, scene.turnedCasters);
     Scene boxes = scene;
-    boxes.turnedCasters.all.clear();
+    boxes.turnedCasters.clear();
     FitState state;
     FitState other;
     const Trial& uniform = trialNamed("Uniform");
@@ -191,4 +191,18 @@ TEST(BodyHull, MakesTheMapOfATurnedPlankSmaller) {
     };
     // Its shadow is 10 by 0.6, that of its box 7.4 by 7.4.
     EXPECT_LT(area(tight, scene), 0.15 * area(loose, boxes));
+}
+
+TEST(BodyHull, IsFlatWhereItsPointsAreInOnePlane) {
+    const auto isFlat = [](std::initializer_list<Vec3> points) {
+        return makeBodyHull(std::vector<Vec3>(points)).flat;
+    };
+    EXPECT_TRUE(isFlat({{0, 5, 0}, {1, 5, 0}, {1, 5, 1}, {0, 5, 1}, {0.3, 5, 0.2}}));
+    EXPECT_TRUE(isFlat({{0, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1}}));
+    // A step in float's last place, and more than that.
+    EXPECT_TRUE(isFlat({{0, 5, 0}, {1, 5.0000005, 0}, {1, 5, 1}, {0, 5, 1}}));
+    EXPECT_FALSE(isFlat({{0, 5, 0}, {1, 5.00001, 0}, {1, 5, 1}, {0, 5, 1}}));
+    // However large it is: relief of a tenth of a unit on a ground of a hundred thousand.
+    EXPECT_FALSE(isFlat({{0, 0, 0}, {1e5, 0.1, 0}, {1e5, 0, 1e5}, {0, 0, 1e5}}));
+    EXPECT_FALSE(isFlat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
 }

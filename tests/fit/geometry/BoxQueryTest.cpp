@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <functional>
+
 using namespace Lixel;
 using namespace Lixel::Test;
 
@@ -37,6 +40,47 @@ Vec2 over(const HalfSpace& plane, const Aabb& box) {
 }
 
 } // namespace
+
+RC_GTEST_PROP(LargestBoxes, AreTheFirstInOrderOfSize, ()) {
+    Dice dice(*anySeed());
+    BoxSet boxes = anyBoxes(dice);
+    if (boxes.size() > 0 && dice.chance(0.5)) boxes.add(boxes.box(0)); // two of one size
+    std::vector<std::size_t> expected(boxes.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        expected[i] = i;
+    std::ranges::stable_sort(expected, std::greater(),
+                             [&](std::size_t i) { return boxes.box(i).halfExtents.sum(); });
+    std::array<std::size_t, 6> room{};
+    const std::size_t wanted = 1 + dice.below(room.size());
+    const std::size_t count = largestBoxes(boxes, std::span(room).first(wanted));
+    RC_ASSERT(count == std::min(wanted, expected.size()));
+    for (std::size_t i = 0; i < count; ++i)
+        RC_ASSERT(room[i] == expected[i]);
+    RC_ASSERT(largestBox(boxes) == (expected.empty() ? 0 : expected[0]));
+}
+
+RC_GTEST_PROP(FarBoxes, AreTheFarthestOfFew, ()) {
+    Dice dice(*anySeed());
+    const BoxSet boxes = anyBoxes(dice);
+    const std::array<Vec3, 2> directions = {dice.direction(), dice.direction()};
+    std::array<std::size_t, 2> farthest{};
+    farBoxes(boxes, directions, farthest);
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        for (const Aabb& box : boxes.boxes())
+            RC_ASSERT(directions[i].dot(boxes.box(farthest[i]).centre) >=
+                      directions[i].dot(box.centre) - 1e-12);
+}
+
+TEST(FarBoxes, AreSomeOfMany) {
+    BoxSet boxes;
+    for (int i = 0; i < 5000; ++i)
+        boxes.add({Vec3(0.1 * i, 0.0, 0.0), Vec3::Ones()});
+    const std::array<Vec3, 2> directions = {Vec3::UnitX(), -Vec3::UnitX()};
+    std::array<std::size_t, 2> farthest{};
+    farBoxes(boxes, directions, farthest);
+    EXPECT_GT(farthest[0], 4900U);
+    EXPECT_EQ(farthest[1], 0U);
+}
 
 RC_GTEST_PROP(KeepReaching, DropsWhatAPlaneSeparates, ()) {
     Dice dice(*anySeed());

@@ -1,0 +1,74 @@
+#include "fit/focus/ConvexBodies.h"
+
+#include "fit/geometry/BoxQuery.h"
+
+#include <algorithm>
+
+namespace Lixel {
+namespace {
+
+/// A body whose half extents add up to less than this part of the largest receiver's is left as it
+/// is: what it covers of itself is a small part of what is visible.
+constexpr double LeastSize = 0.25;
+
+} // namespace
+
+void ConvexBodies::find(const ShadowProblem& problem, const BoxSet& casters,
+                        const BoxSet& receivers) {
+    mCount = 0;
+    if (problem.casterShapes == nullptr || problem.receiverShapes == nullptr) return;
+    std::array<std::size_t, Most> largest;
+    std::array<std::size_t, Most> origins;
+    std::array<const void*, Most> identities;
+    const std::size_t count = largestBoxes(receivers, largest);
+    for (std::size_t i = 0; i < count; ++i) {
+        origins[i] = receivers.origin(largest[i]);
+        identities[i] = problem.receiverShapes->identityOf(origins[i]);
+    }
+    if (count == 0) return;
+    const double least = LeastSize * receivers.box(largest[0]).halfExtents.sum();
+    const std::size_t casterCount = largestBoxes(casters, largest);
+    for (std::size_t k = 0; k < casterCount; ++k) {
+        if (casters.box(largest[k]).halfExtents.sum() < least) break;
+        ConvexBody body;
+        body.caster = casters.origin(largest[k]);
+        const void* const identity = problem.casterShapes->identityOf(body.caster);
+        if (identity == nullptr) continue;
+        const auto end = identities.begin() + static_cast<std::ptrdiff_t>(count);
+        const auto same = std::find(identities.begin(), end, identity);
+        if (same == end) continue;
+        body.receiver = origins[static_cast<std::size_t>(same - identities.begin())];
+        if (problem.casterShapes->isConvex(body.caster, body.around) &&
+            body.around.wsFromBody.matrix().allFinite())
+            mBodies[mCount++] = body;
+    }
+}
+
+bool ConvexBodies::hasCaster(std::size_t index) const {
+    return std::ranges::any_of(all(), [=](const ConvexBody& body) { return body.caster == index; });
+}
+
+std::size_t behindLitFaces(const PlacedBox& around, const LightImage& image, double extent,
+                           std::span<HalfSpace, 3> planes) {
+    const Mat3 axes = around.wsFromBody.linear();
+    const Vec3 centre = around.wsFromBody * around.box.centre;
+    const Vec3 wsTowardsSun = image.lsFromWs().row(2);
+    std::size_t count = 0;
+    for (const int axis : {0, 1, 2}) {
+        // Across the other two axes: right for a box that is sheared, too.
+        Vec3 normal = Vec3(axes.col((axis + 1) % 3)).cross(Vec3(axes.col((axis + 2) % 3)));
+        normal = normal.stableNormalized();
+        const double half = std::abs(normal.dot(axes.col(axis))) * around.box.halfExtents[axis];
+        // The light's height above the plane through the middle.
+        const double height =
+            image.directional() ? normal.dot(wsTowardsSun) : normal.dot(image.wsEye() - centre);
+        if (height < 0.0) normal = -normal;
+        if (!(std::abs(height) > (image.directional() ? 0.0 : half))) continue;
+        const double offset = normal.dot(centre) + half;
+        const double slack = TouchingSlack * (std::abs(offset) + extent);
+        planes[count++] = {-normal, offset + slack};
+    }
+    return count;
+}
+
+} // namespace Lixel

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "fit/focus/LightImage.h"
+#include "fit/geometry/BodyHull.h"
+
+#include <array>
+#include <span>
+
+namespace Lixel {
+
+/// A convex body that casts and receives: it shadows nothing of itself that faces the light.
+struct ConvexBody {
+    /// Its indices in the problem's sets.
+    std::size_t caster = 0;
+    std::size_t receiver = 0;
+    PlacedBox around;
+};
+
+/** The largest convex bodies of a problem.
+
+    A ground is before itself for the light, box by box, and would have all that is visible of it in
+    the map. The few largest bodies are those that this matters for; smaller ones count as casting
+    on themselves too, which makes the map hardly larger.
+*/
+class ConvexBodies {
+public:
+    static constexpr std::size_t Most = 8;
+
+    /// Finds those among the largest of both sets, subsets of the problem's.
+    void find(const ShadowProblem& problem, const BoxSet& casters, const BoxSet& receivers);
+
+    void clear() { mCount = 0; }
+    std::span<const ConvexBody> all() const { return {mBodies.data(), mCount}; }
+    bool hasCaster(std::size_t index) const;
+
+private:
+    std::array<ConvexBody, Most> mBodies;
+    std::size_t mCount = 0;
+};
+
+/// Half spaces that hold what the body may shadow: behind those faces of its box that the light
+/// shines on.
+/// @param extent of the problem's bodies, which rounding is relative to
+/// @param[out] planes room for 3
+/// @return how many there are
+std::size_t behindLitFaces(const PlacedBox& around, const LightImage& image, double extent,
+                           std::span<HalfSpace, 3> planes);
+
+} // namespace Lixel
