@@ -1,5 +1,6 @@
 #include "scene/MeshReading.h"
 
+#include "fit/geometry/ConvexSurface.h"
 #include "scene/MeshBuffers.h"
 #include "scene/OgreMath.h"
 
@@ -30,6 +31,8 @@ constexpr double TriangleTime = 0.030;
 /// A whole hull, of what is known of its points; a cloud's discs.
 constexpr double BuildTime = 6.0;
 constexpr double DiscsTime = 6.0;
+/// A position, compared with a triangle's plane.
+constexpr double PairTime = 0.0015;
 /// A piece of memory that is given back.
 constexpr double FreeTime = 10.0;
 
@@ -196,6 +199,53 @@ bool HullReading::read(const Ogre::Mesh& mesh, const Parts& parts, ReadingAllowa
     if (allowance.take(1, BuildTime) == 0) return false;
     mHull = mBuilder.build();
     if (!fills(mHull, mesh.getBounds())) mHull = {};
+    return true;
+}
+
+void ConvexReading::restart() {
+    mConvex = false;
+}
+
+std::size_t ConvexReading::pairsOf(const Parts& parts) {
+    std::size_t positions = 0;
+    std::size_t triangles = 0;
+    for (const Part& part : parts) {
+        if (part.triangles == 0) return 0;
+        if (!part.sharesVertices) positions += part.vertexCount;
+        triangles += part.triangles;
+    }
+    // So many triangles alone would make their product too large for a number.
+    if (std::max(positions, triangles) > MostPairs) return 0;
+    const std::size_t pairs = positions * triangles;
+    return pairs <= MostPairs ? pairs : 0;
+}
+
+double ConvexReading::timeFor(const Parts& parts) const {
+    return static_cast<double>(pairsOf(parts)) * PairTime;
+}
+
+bool ConvexReading::read(const Ogre::Mesh&, const Parts& parts, ReadingAllowance& allowance) {
+    if (pairsOf(parts) == 0) return true;
+    if (allowance.take(1, timeFor(parts)) == 0) return false;
+    std::vector<Vec3> positions;
+    std::vector<TriangleCorners> triangles;
+    std::uint32_t first = 0;
+    for (const Part& part : parts) {
+        if (!part.sharesVertices) {
+            first = static_cast<std::uint32_t>(positions.size());
+            Lixel::readPositions(*part.operation.vertexData, 0, part.vertexCount, mPositions);
+            positions.insert(positions.end(), mPositions.begin(), mPositions.end());
+        }
+        const std::vector<TriangleCorners> own = Lixel::readTriangles(part.operation);
+        for (const auto& [a, b, c] : own) {
+            // An index beyond the vertices must not become another part's vertex.
+            if (std::max({a, b, c}) >= part.vertexCount) return true;
+            triangles.push_back({first + a, first + b, first + c});
+        }
+        mBytesRead += triangleBytes(part.operation) * part.triangles;
+        if (!part.sharesVertices) mBytesRead += part.vertexCount * part.vertexSize;
+    }
+    mConvex = isConvexSurface(positions, triangles);
     return true;
 }
 

@@ -95,6 +95,25 @@ private:
     BodyHull mHull;
 };
 
+/** Whether the triangles are the closed surface of a convex body.
+
+    A mesh of many triangles, or of lines or points, is not looked at, and taken for none. */
+class ConvexReading final : public MeshReading {
+public:
+    bool isConvex() const { return mConvex; }
+
+private:
+    /// Positions times triangles, at most: a sphere of 18 rings and segments.
+    static constexpr std::size_t MostPairs = std::size_t{1} << 18;
+
+    void restart() override;
+    bool read(const Ogre::Mesh& mesh, const Parts& parts, ReadingAllowance& allowance) override;
+    double timeFor(const Parts& parts) const override;
+    static std::size_t pairsOf(const Parts& parts);
+
+    bool mConvex = false;
+};
+
 /// The surface of all triangles. Keeps a copy of all positions until it is done.
 class CloudReading final : public MeshReading {
 public:

@@ -6,6 +6,7 @@
 #include <OgreEntity.h>
 #include <OgreMesh.h>
 #include <OgrePass.h>
+#include <OgreSceneManager.h>
 #include <OgreSubEntity.h>
 #include <OgreTechnique.h>
 
@@ -44,6 +45,24 @@ bool mayMoveVertices(const Ogre::Entity& entity) {
     return false;
 }
 
+/// Whether its materials draw nothing of it that faces away from the viewer.
+bool drawsFrontsOnly(const Ogre::Entity& entity) {
+    for (const Ogre::SubEntity* part : entity.getSubEntities()) {
+        const Ogre::MaterialPtr& material = part->getMaterial();
+        if (!material) return false;
+        for (const Ogre::Technique* technique : material->getTechniques())
+            for (const Ogre::Pass* pass : technique->getPasses())
+                if (pass->getCullingMode() != Ogre::CULL_CLOCKWISE) return false;
+    }
+    return true;
+}
+
+/// Whether the scene manager darkens what is in shadow, lit or not, by passes of its own.
+bool darkensWhatIsUnlit(const Ogre::SceneManager* sceneManager) {
+    return sceneManager == nullptr || (sceneManager->isShadowTechniqueModulative() &&
+                                       !sceneManager->isShadowTechniqueIntegrated());
+}
+
 /// An entity's hull, for callers that must not throw.
 const BodyHull* hullOrNone(MeshShapes& meshes, const Ogre::Entity& entity) noexcept {
     try {
@@ -62,6 +81,7 @@ bool MeshShapes::Entry::isRestless() const {
 void MeshShapes::Entry::readAnew() {
     hull = {};
     cloud = CloudReading(Discs);
+    convex = {};
 }
 
 MeshShapes& MeshShapes::shared() {
@@ -131,7 +151,9 @@ void MeshShapes::prepare(const Ogre::MeshPtr& mesh) {
     }
     ReadingAllowance all(std::numeric_limits<double>::infinity());
     advance(entry.cloud, *mesh, all);
-    if (!mesh->hasManualLodLevel()) advance(entry.hull, *mesh, all);
+    if (mesh->hasManualLodLevel()) return;
+    advance(entry.hull, *mesh, all);
+    advance(entry.convex, *mesh, all);
 }
 
 const SurfaceCloud* MeshShapes::cloudOf(const Ogre::Entity& entity) {
@@ -152,6 +174,22 @@ const BodyHull* MeshShapes::hullOf(const Ogre::Entity& entity) {
     return reading.isDone() && !reading.hull().empty() ? &reading.hull() : nullptr;
 }
 
+bool MeshShapes::isConvex(const Ogre::Entity& entity, Aabb& around) {
+    if (darkensWhatIsUnlit(entity._getManager())) return false;
+    const BodyHull* const hull = hullOf(entity);
+    if (hull == nullptr) return false;
+    Eigen::AlignedBox3d bounds;
+    for (const Vec3& vertex : hull->vertices)
+        bounds.extend(vertex);
+    around = {bounds.center(), bounds.sizes() / 2.0};
+    if (hull->flat) return true;
+    Entry& entry = find(entity.getMesh());
+    if (entry.convex.isDone() && !entry.convex.isConvex()) return false;
+    if (entity.getMesh()->getNumLodLevels() > 1 || !drawsFrontsOnly(entity)) return false;
+    advance(entry.convex, *entity.getMesh());
+    return entry.convex.isConvex();
+}
+
 void ObjectShapes::reset(MeshShapes& meshes, const Vec3& wsOrigin) {
     mMeshes = &meshes;
     mWsOrigin = wsOrigin;
@@ -167,6 +205,25 @@ const BodyHull* ObjectShapes::hullOf(std::size_t index, Transform3& wsFromBody) 
     const double filled = hull->volume * std::abs(wsFromBody.linear().determinant());
     const auto boxed = static_cast<double>(entity->getWorldBoundingBox().volume());
     return boxed > LooseBox * filled ? hull : nullptr;
+}
+
+const void* ObjectShapes::identityOf(std::size_t index) const noexcept {
+    return index < mObjects.size() ? mObjects[index] : nullptr;
+}
+
+bool ObjectShapes::isConvex(std::size_t index, PlacedBox& around) const noexcept {
+    if (index >= mObjects.size()) return false;
+    const auto* const entity = dynamic_cast<const Ogre::Entity*>(mObjects[index]);
+    if (entity == nullptr) return false;
+    try {
+        if (!mMeshes->isConvex(*entity, around.box)) return false;
+    } catch (const std::exception&) {
+        return false;
+    }
+    around.wsFromBody = relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin);
+    // A mirrored surface shows its inside.
+    return around.box.halfExtents.minCoeff() == 0.0 ||
+           around.wsFromBody.linear().determinant() > 0.0;
 }
 
 } // namespace Lixel

@@ -20,8 +20,8 @@ class MovableObject;
 
 namespace Lixel {
 
-/** The shapes of meshes, as few discs of their surface and as a convex hull: read once from their
-    buffers, and kept.
+/** The shapes of meshes, as few discs of their surface and as a convex hull, and whether they are
+    convex themselves: read once from their buffers, and kept.
 
     Buffers are read when a shape is first asked for, within what a frame has of time for it: a
     large mesh takes several frames, and until then its box has to do. `prepare` reads all at once.
@@ -70,6 +70,15 @@ public:
         programs of others than Lixel and OGRE's shader generator, which may move them */
     const BodyHull* hullOf(const Ogre::Entity& entity);
 
+    /** Whether an entity is known to be convex: @see BodyShapes::isConvex
+
+        It is where its hull is known, and it is a flat sheet, or the closed surface of few
+        triangles of a convex body, whose materials draw the outside alone. Neither levels of detail
+        nor a scene manager that darkens shadows, whichever side of a surface they are on, may be in
+        play: that is, OGRE's modulative shadows without shaders.
+        @param[out] around the entity in its own space, where the answer is true */
+    bool isConvex(const Ogre::Entity& entity, Aabb& around);
+
     /// Bytes that were read from buffers so far, for statistics.
     std::size_t bytesRead() const { return mBytesRead; }
 
@@ -82,6 +91,7 @@ private:
         unsigned boundsChanges = 0;
         HullReading hull;
         CloudReading cloud{Discs};
+        ConvexReading convex;
 
         /// Its shape is not worth reading any more.
         bool isRestless() const;
@@ -111,7 +121,8 @@ private:
     static constexpr double LargeShare = 0.75;
 };
 
-/// The hulls of a set's bodies, where these are entities that fill their world boxes badly.
+/// The hulls of a set's bodies, where these are entities that fill their world boxes badly, and
+/// which entities are convex.
 class LIXEL_API ObjectShapes final : public BodyShapes {
 public:
     /// @param meshes must outlive what follows
@@ -122,6 +133,9 @@ public:
     std::span<const Ogre::MovableObject* const> objects() const { return mObjects; }
 
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
+    /// The object.
+    const void* identityOf(std::size_t index) const noexcept override;
+    bool isConvex(std::size_t index, PlacedBox& around) const noexcept override;
 
 private:
     MeshShapes* mMeshes = nullptr;

@@ -69,7 +69,8 @@ constexpr std::array DeclaredCommon{
         "receiver itself, for surfaces that are not planar at the scale of a texel"),
     option<&CommonOptions::meshHulls>(
         "mesh_hulls", "whether maps are fitted to convex hulls of meshes that fill their boxes "
-                      "badly; off where static buffers are rewritten in place"),
+                      "badly, and leave out what a convex mesh, such as a flat ground, shadows of "
+                      "itself; off where static buffers are rewritten in place"),
     option<&CommonOptions::reuseMaps>(
         "reuse_maps", "whether a map is kept while it shows just what it would show if it were "
                       "drawn again"),
