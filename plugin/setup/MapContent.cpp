@@ -60,6 +60,7 @@ Fingerprint settingsOf(Ogre::SceneManager& manager, const Ogre::Camera& shadowCa
     settings.add(&manager);
     settings.add(std::uint64_t{manager.getShadowTechnique()});
     settings.add(std::uint64_t{manager.getShadowTextureSelfShadow()});
+    settings.add(std::uint64_t{manager.getShadowCasterRenderBackFaces()});
     settings.add(std::uint64_t{manager.getCameraRelativeRendering()});
     settings.add(std::uint64_t{manager.getFindVisibleObjects()});
     settings.add(std::uint64_t{manager.getVisibilityMask() & view.getVisibilityMask()});
