@@ -1,10 +1,9 @@
 #include "BenchWatch.h"
 
+#include "FinishDrawing.h"
+
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreRenderTexture.h>
-
-// Answered by OSMesa.
-extern "C" void (*glXGetProcAddressARB(const unsigned char*))();
 
 namespace Lixel::Tests {
 namespace {
@@ -71,9 +70,7 @@ void BenchWatch::postRenderTargetUpdate(const Ogre::RenderTargetEvent&) {
 }
 
 void BenchWatch::finishIfAsked() const {
-    if (!mFinishes) return;
-    const auto name = reinterpret_cast<const unsigned char*>("glFinish");
-    reinterpret_cast<void (*)()>(glXGetProcAddressARB(name))();
+    if (mFinishes) finishDrawing();
 }
 
 } // namespace Lixel::Tests
