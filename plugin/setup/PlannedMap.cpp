@@ -9,7 +9,7 @@
 namespace Lixel {
 
 PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
-                   const ShadowFit& fit, const ShadowTarget& target,
+                   const ShadowFit& fit, const ShadowTarget& target, bool lasts,
                    const std::function<const CasterFingerprint&()>& readCasters) {
     Ogre::SceneManager& manager = *shadowCamera.getSceneManager();
     if (drawsMapsTogether(*target.texture)) return {};
@@ -24,6 +24,9 @@ PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
     wanted.textureState = target.texture->getStateCount();
     const MapContent* const shown = contentOf(target);
     const auto drawn = [&](PlanReason reason) {
+        if (lasts && !wanted.casters)
+            if (const CasterFingerprint& casters = readCasters(); casters.unknownName().empty())
+                wanted.casters = casters.value();
         return PlannedMap{{MapPlan::Draw, reason, {}}, wanted};
     };
     if (shown == nullptr) return drawn(PlanReason::Unknown);

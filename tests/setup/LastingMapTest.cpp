@@ -60,15 +60,28 @@ INSTANTIATE_TEST_SUITE_P(Techniques, LastingMapTest, testing::Values("Uniform", 
 
 TEST_P(LastingMapTest, ServesManyFramesOfAWalk) {
     // A second of a walk at 1.4 m/s, sideways.
-    scene.stage.drawFrame();
     PlanCounter plans;
+    scene.stage.drawFrame();
     for (int frame = 0; frame < 60; ++frame) {
         viewer().translate(1.4F / 60, 0, 0);
         scene.stage.drawFrame();
     }
-    EXPECT_EQ(plans.maps, 60);
+    EXPECT_EQ(plans.maps, 61);
     EXPECT_LT(plans.drawn, 20);
     EXPECT_GT(plans.drawn, 0);
+}
+
+TEST_P(LastingMapTest, IsDrawnOnce) {
+    for (int i = 0; i < 10; ++i) {
+        // A camera cut, and then hardly a move.
+        viewer().translate(i % 2 == 0 ? 30.0F : -30.0F, 0, 0);
+        PlanCounter plans;
+        for (int frame = 0; frame < 4; ++frame) {
+            scene.stage.drawFrame();
+            EXPECT_EQ(plans.drawn, 1) << i << ", " << frame;
+            viewer().translate(1e-4F, 0, 0);
+        }
+    }
 }
 
 TEST_P(LastingMapTest, ServesSomeFramesOfATurn) {
