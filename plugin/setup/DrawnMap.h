@@ -20,6 +20,8 @@ struct DrawnMap {
     Fingerprint matrices;
     /// Of the light.
     Fingerprint light;
+    /// The number of the frame.
+    unsigned long frame = 0;
 };
 
 /** How wrong a drawn map is now: 1 where its light or casters are others, or it does not show all

@@ -310,14 +310,16 @@ bool FittedShadowCameraSetup::postpones(const Request& request, const ShadowProb
                         content->matrices == drawn->matrices &&
                         content->settings == planned.content->settings;
     MapQueue::Wish wish;
-    wish.must = !isKept;
+    // The queue forgets maps that are not asked for in each frame.
+    wish.must = !isKept || frame - drawn->frame > mapBudget().oldest;
     wish.distance = distanceTo(memory, problem);
     wish.milliseconds = drawingTimeOf(target);
     if (isKept)
         wish.wrongness =
             wrongnessOf(*drawn, wanted, light, planned.decision.reason != PlanReason::MapChanged);
     if (!mapQueue().ask(key, frame, wish, mapBudget())) return true;
-    drawn = std::make_unique<DrawnMap>(wanted, planned.content->matrices, light);
+    if (!drawn) drawn = std::make_unique<DrawnMap>();
+    *drawn = {wanted, planned.content->matrices, light, frame};
     return false;
 }
 
@@ -326,6 +328,9 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowPr
                                           LightMemory& memory, LastingMap* lasting,
                                           ShownMap& shown) const {
     if (!shown.fit.hasMap()) {
+        if (mapBudget().isLimited())
+            mapQueue().rest({&memory, request.iteration},
+                            Ogre::Root::getSingleton().getNextFrameNumber(), mapBudget());
         skipShadowPass(request.shadowCamera, target);
         return {MapPlan::Skip, PlanReason::NothingShadowed, {}};
     }

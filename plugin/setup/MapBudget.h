@@ -15,9 +15,13 @@ namespace Lixel {
     none yet. Maps that were fitted with a margin (CommonOptions::lastingMaps) have that, too.
 
     The nearest and the most wrong come first: a map is the more urgent the more there is wrong with
-    it, the longer it has been kept, and the nearer the viewer is to what it serves. So near cascades
-    are drawn in most frames and far ones in every few. Maps with nothing to keep (a new light, a new
-    texture, other settings) are drawn in any case, and count.
+    it, the longer it has been kept, and the nearer the viewer is to what it serves. So near
+    cascades are drawn in most frames and far ones in every few. Maps with nothing to keep (a new
+    light, a new texture, other settings) are drawn in any case, and count. Where nobody knows what
+    a map shows (with an application's render queue listener or caster material, or several maps
+    drawn at once) it is drawn and does not count.
+
+    Where a program draws the same map twice in a frame, each time is a frame of its own here.
 */
 struct MapBudget {
     /// How many maps are drawn in a frame; 0: no limit.

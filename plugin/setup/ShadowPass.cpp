@@ -73,7 +73,7 @@ public:
     }
 
     double drawingTimeOf(const Ogre::RenderTarget* target) const {
-        const auto known = mMilliseconds.find(target);
+        const auto known = mMilliseconds.find(target->getName());
         return known != mMilliseconds.end() ? known->second : 0.0;
     }
 
@@ -132,7 +132,7 @@ public:
             camera->setCullingFrustum(state.before);
             camera->getViewport()->setAutoUpdated(true);
             if (state.content)
-                mMilliseconds[event.source] =
+                mMilliseconds[event.source->getName()] =
                     std::chrono::duration<double, std::milli>(Clock::now() - mBegin).count();
             if (state.proof) proveMap(*state.proof, state.kept);
         }
@@ -159,9 +159,10 @@ private:
     /// each a culling frustum of its own and expects it to stay.
     std::map<Ogre::RenderTarget*, std::map<Ogre::Camera*, Armed>> mArmed;
     std::map<const Ogre::RenderTarget*, MapContent> mContents;
-    /// When the target that is being drawn was begun, and how long each one took.
+    /// When the target that is being drawn was begun, and how long each one took, by
+    /// its name, which a texture that is made anew has again.
     Clock::time_point mBegin;
-    std::map<const Ogre::RenderTarget*, double> mMilliseconds;
+    std::map<Ogre::String, double> mMilliseconds;
     /// Names of all that it listens to. Some may have gone.
     std::set<Ogre::String> mTargets;
 };

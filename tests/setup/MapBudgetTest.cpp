@@ -1,4 +1,4 @@
-// A budget for drawing shadow maps: kept maps are read as they were drawn, and come right in the end.
+// A budget for drawing shadow maps: kept maps are read as they were drawn, and come right later.
 
 #include "TestStage.h"
 
@@ -19,13 +19,19 @@ class FramePlans : public ShadowMapObserver {
 public:
     FramePlans() { addShadowMapObserver(*this); }
     ~FramePlans() override { removeShadowMapObserver(*this); }
-    void shadowMapFitted(const ShadowMap& map) override { list.push_back(map.decision); }
+    void shadowMapFitted(const ShadowMap& map) override {
+        list.push_back(map.decision);
+        drawnLight = drawnLight || (&map.light == light && map.decision.plan == MapPlan::Draw);
+    }
     long drawn() const { return std::ranges::count(list, MapPlan::Draw, &MapDecision::plan); }
     long postponed() const {
         return std::ranges::count(list, PlanReason::Postponed, &MapDecision::reason);
     }
 
     std::vector<MapDecision> list;
+    /// A light, and whether a map of it was drawn.
+    const Ogre::Light* light = nullptr;
+    bool drawnLight = false;
 };
 
 /// A box on the ground with others around it, under a sun of four cascades.
@@ -64,6 +70,7 @@ protected:
     }
     void frame() {
         plans.list.clear();
+        plans.drawnLight = false;
         scene.stage.drawFrame();
     }
     Ogre::SceneNode& viewer() { return *scene.stage.camera().getParentSceneNode(); }
@@ -95,6 +102,36 @@ TEST_F(MapBudgetTest, DrawsNoMoreMapsThanItSays) {
     EXPECT_LE(sum, 60 + 4);
     EXPECT_GT(postponed, 100);
     EXPECT_GT(drawn.front(), drawn.back());
+}
+
+TEST_F(MapBudgetTest, DrawsALightInTimeThatComesAndGoes) {
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    manager.setShadowTextureCountPerLightType(Ogre::Light::LT_SPOTLIGHT, 1);
+    manager.setShadowTextureSettings(128, Maps + 1, Ogre::PF_FLOAT32_R);
+    Ogre::Light* const lamp = manager.createLight("far lamp");
+    lamp->setType(Ogre::Light::LT_SPOTLIGHT);
+    lamp->setSpotlightRange(Ogre::Degree(1), Ogre::Degree(2));
+    lamp->setCustomShadowCameraSetup(XPSMShadowCameraSetup::create());
+    Ogre::SceneNode* const node = manager.getRootSceneNode()->createChildSceneNode();
+    node->attachObject(lamp);
+    node->setPosition(0, 300, 300);
+    node->setDirection(0, -1, -1, Ogre::Node::TS_WORLD);
+    limitTo(1);
+    plans.light = lamp;
+    int asked = 0;
+    int drawn = 0;
+    for (int i = 0; i < 80; ++i) {
+        viewer().translate(0.05F, 0, 0);
+        scene.box->translate(0, 0.002F, 0);
+        lamp->setVisible(i % 2 == 0);
+        frame();
+        if (plans.list.size() <= Maps) continue;
+        ++asked;
+        drawn += plans.drawnLight ? 1 : 0;
+    }
+    EXPECT_EQ(asked, 40);
+    EXPECT_GE(drawn, 80 / 18);
+    EXPECT_LT(drawn, 20);
 }
 
 TEST_F(MapBudgetTest, ComesRightWhenTheViewerStands) {
