@@ -52,7 +52,10 @@ WarpSearch::Judged WarpSearch::follow(const Vec2& target, int evaluations) {
         mNow.step = FirstStep;
     }
     evaluations -= 2;
-    if (evaluations < LeastSimplex) return best;
+    if (evaluations < LeastSimplex) {
+        adaptStep(false);
+        return best;
+    }
     const Judged found =
         simplexFrom(best, mNow.turn % 2 == 0 ? mNow.step : -mNow.step, evaluations);
     adaptStep(found.cost < best.cost * (1.0 - FollowingGain));

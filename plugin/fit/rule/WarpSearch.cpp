@@ -183,7 +183,7 @@ Vec2 WarpSearch::settle(const Judged& best) {
         if (part < 1.0 && !((*this)(chosen) <= 1.0)) chosen = Vec2::Zero();
         // To the last bit what it was, however long it rests.
         mNow.wsTarget = mRests ? mMemory->wsTarget : wsFromSpread(best.spread);
-        mNow.cost = best.cost;
+        mNow.cost = mRests ? mMemory->cost : best.cost;
     }
     // The samples that the search judges by come and go one by one, and two warps can be equally
     // good.
