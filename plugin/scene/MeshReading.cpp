@@ -216,7 +216,8 @@ std::size_t ConvexReading::pairsOf(const Parts& parts) {
     }
     // So many triangles alone would make their product too large for a number.
     if (std::max(positions, triangles) > MostPairs) return 0;
-    const std::size_t pairs = positions * triangles;
+    // Positions are compared with triangles, and with each other.
+    const std::size_t pairs = positions * std::max(positions, triangles);
     return pairs <= MostPairs ? pairs : 0;
 }
 

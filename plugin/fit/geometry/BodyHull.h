@@ -74,7 +74,7 @@ public:
     virtual const void* identityOf(std::size_t /*index*/) const noexcept { return nullptr; }
 
     /** Whether the body is known to be convex: a flat sheet, or the closed surface of a convex
-        body, of which the outside is drawn.
+        body, drawn from outside alone.
 
         No light ray meets such a body twice on sides that face the light. So whatever it shadows of
         itself faces away from the light (n . l <= 0), and is dark without a map. Materials must

@@ -23,7 +23,7 @@ void keepReaching(const BoxSet& boxes, std::span<const HalfSpace> planes, BoxSet
 /// The lanes of a block, as bits, whose boxes lie wholly on the inner side of each plane.
 unsigned lanesInside(const BoxSet::Block& block, std::span<const HalfSpace> planes);
 
-/** For each direction, a box of which the middle lies far along it: the farthest of all, or of many
+/** For each direction, a box whose middle lies far along it: the farthest of all, or of many
     boxes the farthest of as many as a few blocks hold, spread over all.
     @param[out] farthest an index for each direction; 0 of an empty set */
 void farBoxes(const BoxSet& boxes, std::span<const Vec3> directions,

@@ -13,7 +13,7 @@ namespace {
 constexpr double SamePlace = 0x1p-20;
 
 /// How far a vertex may be before a triangle's plane, relative to the body's size: what rounding to
-/// float does to a plane of which only a small part is the triangle.
+/// float does to the plane of a small triangle.
 constexpr double OffPlane = 0x1p-16;
 
 /// For each position the first one at its place.
