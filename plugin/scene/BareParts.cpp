@@ -5,9 +5,11 @@
 #include <OgreMaterialManager.h>
 #include <OgreMovableObject.h>
 #include <OgreRenderable.h>
+#include <OgreSubEntity.h>
 #include <OgreTechnique.h>
 
 #include <optional>
+#include <typeinfo>
 
 namespace Lixel {
 namespace {
@@ -34,9 +36,10 @@ private:
     /// Whether the material that a part is drawn in lets it receive.
     bool lets(const Ogre::Renderable& part, const Ogre::Material& material) const {
         // A listener may give a part another material's technique, where its own has none for the
-        // scheme in use. Asking takes longest.
+        // scheme in use, and so may an application's part. Asking takes longest.
         const auto& techniques = material.getSupportedTechniques();
-        if (techniques.size() == 1 && techniques.front()->_getSchemeIndex() == mScheme)
+        if (typeid(part) == typeid(Ogre::SubEntity) && techniques.size() == 1 &&
+            techniques.front()->_getSchemeIndex() == mScheme)
             return material.getReceiveShadows();
         const Ogre::Technique* const technique = part.getTechnique();
         return technique == nullptr || technique->getParent()->getReceiveShadows();
