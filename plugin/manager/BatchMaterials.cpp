@@ -152,6 +152,8 @@ void BatchMaterials::copyCaster(Ogre::Material& material, Ogre::CullingMode cull
     if (programs.fragmentParameters) pass.setFragmentProgramParameters(programs.fragmentParameters);
     // The one in which OGRE looks for what casts, where it divides passes by their light.
     pass.setIlluminationStage(Ogre::IS_AMBIENT);
+    // OGRE's queue sorts passes by it, and keeps them when it is emptied.
+    pass._recalculateHash();
     material.load();
 }
 

@@ -54,7 +54,7 @@ void LixelSceneManager::_findVisibleObjects(Ogre::Camera* camera,
                                             bool onlyShadowCasters) {
     mVisible.find(*mStore, *camera);
     const bool drawsAsOgre = mActiveQueuedRenderableVisitor == &mDefaultQueuedRenderableVisitor;
-    CasterBatches* const batches = mUsesBatches && onlyShadowCasters && drawsAsOgre &&
+    CasterBatches* const batches = mUsesBatches && !mProves && onlyShadowCasters && drawsAsOgre &&
                                            mBatches->begin(*this, *camera, *getRenderQueue())
                                        ? mBatches.get()
                                        : nullptr;
@@ -81,9 +81,14 @@ void LixelSceneManager::proveBatches(Ogre::Camera& camera, Ogre::Viewport& viewp
     const auto drawn = std::ranges::find(targets, viewport.getTarget(), &ShadowTarget::target);
     if (drawn == targets.end()) return;
     const std::vector<std::uint8_t> batched = readTexels(*drawn->texture);
-    mUsesBatches = false;
-    SceneManager::_renderScene(&camera, &viewport, includeOverlays);
-    mUsesBatches = true;
+    mProves = true;
+    try {
+        SceneManager::_renderScene(&camera, &viewport, includeOverlays);
+    } catch (...) {
+        mProves = false;
+        throw;
+    }
+    mProves = false;
     proveBatchedMap(*drawn->texture, batched);
 }
 

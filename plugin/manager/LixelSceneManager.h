@@ -71,6 +71,8 @@ private:
     VisibleObjects mVisible;
     std::unique_ptr<CasterBatches> mBatches;
     bool mUsesBatches = true;
+    /// While a map is drawn without them, to be compared.
+    bool mProves = false;
 };
 
 /// Makes LixelSceneManager; the plugin registers one.
