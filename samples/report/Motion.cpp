@@ -50,6 +50,9 @@ std::vector<Film> films(const MotionOptions& options) {
     if (!options.modelFile.empty()) all.push_back({modelScene(options.modelFile), "inside"});
     if (!options.scene.empty())
         std::erase_if(all, [&](const Film& film) { return film.scene.name != options.scene; });
+    if (all.empty())
+        throw std::runtime_error("there is no scene '" + options.scene +
+                                 "' to film; 'model' goes with --scene FILE");
     return all;
 }
 

@@ -136,8 +136,8 @@ int main(int argc, char** argv) {
     app.add_option("--baseline", options.baseline, "Setup to compare it with");
     app.add_option("--scene", options.modelFile, "A model file as one more scene");
     app.add_option("--lights", options.lights, "Lights of each scene")->check(CLI::PositiveNumber);
-    app.add_option("--kind", options.kinds,
-                   "A sample to measure instead of all; may be given several times");
+    auto* const kinds = app.add_option(
+        "--kind", options.kinds, "A sample to measure instead of all; may be given several times");
     app.add_flag("--first-view", options.firstView, "The first view of each scene alone");
     // They judge no one setup.
     auto* const table = app.add_flag("--table", options.table,
@@ -153,7 +153,8 @@ int main(int argc, char** argv) {
 #ifdef LIXEL_SAMPLES_RTSS
     app.add_flag("--casters", options.casters,
                  "The garden's kinds of casters, each alone, beside OGRE's own shadows")
-        ->excludes(assignments);
+        ->excludes(assignments)
+        ->excludes(kinds);
 #endif
     app.add_option_function<std::string>(
            "--size",
@@ -167,7 +168,8 @@ int main(int argc, char** argv) {
         app.add_flag("--motion", options.motion,
                      "What a walking and turning viewer sees: flicker, errors, and how often maps "
                      "are drawn, by setup and lasting_maps, by emulation")
-            ->excludes(assignments);
+            ->excludes(assignments)
+            ->excludes(kinds);
     app.add_option("--frames", options.frames, "With --motion: frames of each motion")
         ->check(CLI::Range(2, 100000))
         ->needs(motion);

@@ -31,6 +31,8 @@ refuses 105 "800x600" --table --size wide
 refuses 2 "there are: field" --kind nowhere
 refuses 2 "there are: field" --table --kind field --kind garden
 refuses 107 "--motion" --table --frames 20
+refuses 108 "--kind" --motion --kind field
+refuses 1 "'model' goes with --scene" --motion --sample model
 refuses 105 "--frames" --motion --frames 1
 refuses 2 "there are: Uniform" --setup Magic
 refuses 2 "there are: Uniform" --baseline Magic
