@@ -8,6 +8,7 @@
 // until all is drawn (`glFinish`). All ways of drawing take turns of a few frames each, and times
 // are medians of wall clock.
 #include "BenchWatch.h"
+#include "WriteJson.h"
 
 #include "common/Median.h"
 #include "manager/LixelSceneManager.h"
@@ -16,7 +17,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <OgreFrameListener.h>
 #include <OgreMaterialManager.h>
@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <random>
 
 namespace Lixel::Tests {
@@ -168,10 +167,7 @@ void runCasters(const CastersOptions& options) {
                                     {"main_thread_us", Samples::median(row.mainThread)},
                                     {"pass_us", Samples::median(row.pass)}});
     }
-    if (options.json.empty()) return;
-    std::ofstream file(options.json);
-    file << json.dump(1) << '\n';
-    if (!file) throw std::runtime_error("cannot write " + options.json);
+    writeJson(json, options.json);
 }
 
 } // namespace

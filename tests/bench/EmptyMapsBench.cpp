@@ -7,6 +7,7 @@
 // with a viewer who turns a little; times are medians of wall clock until all is drawn.
 #include "FinishDrawing.h"
 #include "HeadlessOgre.h"
+#include "WriteJson.h"
 
 #include "common/Median.h"
 #include "setup/CascadesShadowCameraSetup.h"
@@ -15,7 +16,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <OgreCamera.h>
 #include <OgreEntity.h>
@@ -31,7 +31,6 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <random>
 
 namespace Lixel::Tests {
@@ -231,10 +230,7 @@ void runEmptyMaps(int frames, const std::string& jsonFile) {
                         {"empty", row.empty},
                         {"frame_us", frame}});
     }
-    if (jsonFile.empty()) return;
-    std::ofstream file(jsonFile);
-    file << json.dump(1) << '\n';
-    if (!file) throw std::runtime_error("cannot write " + jsonFile);
+    writeJson(json, jsonFile);
 }
 
 } // namespace

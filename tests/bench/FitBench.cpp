@@ -3,8 +3,9 @@
 //     lixel-bench-fit [--benchmark_filter=REGEX] [other options of Google Benchmark]
 //
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
-// viewer turns a little from one fit to the next, as it does from frame to frame. Each fit is measured
-// with bodies of which only the boxes are known, and with ones that are known to be convex.
+// viewer turns a little from one fit to the next, as it does from frame to frame. Each fit is
+// measured twice: with nothing known of the bodies but their boxes, and with bodies that are known
+// to be convex.
 #include "fit/core/FitState.h"
 #include "fit/technique/Techniques.h"
 
@@ -44,7 +45,7 @@ Mat4 projection() {
     return m;
 }
 
-/// Bodies of which each fills its box, the same among casters and receivers.
+/// Bodies that fill their boxes, the same among casters and receivers.
 class Boxes final : public BodyShapes {
 public:
     explicit Boxes(const BoxSet& boxes) : mBoxes(boxes) {}

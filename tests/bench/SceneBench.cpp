@@ -11,13 +11,12 @@
 // idle core is all that the machine needs to give. With --build: what it takes to fill the scene,
 // to move everything once, and to empty it, and how much memory that is.
 #include "BenchTable.h"
+#include "WriteJson.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <exception>
-#include <fstream>
 
 namespace Lixel::Tests {
 namespace {
@@ -47,10 +46,7 @@ void run(const SceneBenchOptions& options) {
                 json["rows"].push_back(row);
         }
     }
-    if (options.json.empty()) return;
-    std::ofstream file(options.json);
-    file << json.dump(1) << '\n';
-    if (!file) throw std::runtime_error("cannot write " + options.json);
+    writeJson(json, options.json);
 }
 
 } // namespace

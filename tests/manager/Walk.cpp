@@ -6,6 +6,8 @@
 #include "Operation.h"
 #include "Queries.h"
 
+#include "../stress/Shrink.h"
+
 #include <OgreFrameListener.h>
 #include <OgreMaterialManager.h>
 #include <OgreMesh.h>
@@ -170,22 +172,11 @@ WalkEnd go(const Walk& walk) {
     return end;
 }
 
-Walk shrink(Walk walk) {
-    std::erase_if(walk.steps, [last = go(walk).step](std::size_t step) { return step > last; });
-    for (std::size_t piece = walk.steps.size() / 2; piece > 0; piece /= 2)
-        for (std::size_t at = 0; at + piece <= walk.steps.size();) {
-            Walk less = walk;
-            const auto from = less.steps.begin() + static_cast<std::ptrdiff_t>(at);
-            less.steps.erase(from, from + static_cast<std::ptrdiff_t>(piece));
-            const WalkEnd end = go(less);
-            if (end.difference.empty()) {
-                at += piece;
-            } else {
-                std::erase_if(less.steps, [&](std::size_t step) { return step > end.step; });
-                walk = less;
-            }
-        }
-    return walk;
+Walk shrink(const Walk& walk) {
+    return leaveOutSteps(walk, [](const Walk& one) {
+        const WalkEnd end = go(one);
+        return end.difference.empty() ? std::nullopt : std::optional(end.step);
+    });
 }
 
 std::string story(const Walk& walk) {

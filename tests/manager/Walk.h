@@ -41,7 +41,7 @@ struct WalkEnd {
 WalkEnd go(const Walk& walk);
 
 /// Leaves out steps as long as the rest still ends in a difference.
-Walk shrink(Walk walk);
+Walk shrink(const Walk& walk);
 
 /// A failed walk for people: the difference, and the deeds of a short walk that ends in one.
 std::string story(const Walk& walk);

@@ -5,6 +5,7 @@
 
 #include "common/Surface.h"
 #include "stress/Random.h"
+#include "stress/Shrink.h"
 
 #include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/MapPlan.h>
@@ -350,19 +351,12 @@ ChangesEnd go(const Changes& changes) {
     return end;
 }
 
-/// Leaves out steps as long as the rest still ends in a stale map.
-std::string story(Changes changes) {
-    changes.steps.resize(go(changes).deeds.size());
-    for (std::size_t piece = changes.steps.size() / 2; piece > 0; piece /= 2)
-        for (std::size_t at = 0; at + piece <= changes.steps.size();) {
-            Changes fewer = changes;
-            const auto from = fewer.steps.begin() + static_cast<std::ptrdiff_t>(at);
-            fewer.steps.erase(from, from + static_cast<std::ptrdiff_t>(piece));
-            if (go(fewer).found.empty())
-                at += piece;
-            else
-                changes = fewer;
-        }
+/// A walk that ends in a stale map, for people: the deeds of a short one.
+std::string story(const Changes& walked) {
+    const Changes changes = leaveOutSteps(walked, [](const Changes& one) {
+        const ChangesEnd end = go(one);
+        return end.found.empty() ? std::nullopt : std::optional(one.steps[end.deeds.size() - 1]);
+    });
     const ChangesEnd end = go(changes);
     std::string told = "seed " + std::to_string(changes.seed) + ":\n";
     for (const std::string& deed : end.deeds)

@@ -14,6 +14,22 @@
 namespace Lixel::Tests {
 namespace {
 
+const Ogre::String LixelPlugin = LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
+
+/// OGRE with a render system and Lixel's plugin, and no window yet.
+struct LoadedOgre {
+    LoadedOgre() {
+        root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
+        root.loadPlugin(LixelPlugin);
+    }
+
+    struct Log {
+        Log() { manager.createLog("", true, false, true); }
+        Ogre::LogManager manager;
+    } log;
+    Ogre::Root root{"", "", ""};
+};
+
 /// With the first render system there is.
 Ogre::RenderWindow* openWindow(Ogre::Root& root) {
     root.setRenderSystem(root.getAvailableRenderers().front());
@@ -27,12 +43,8 @@ Ogre::RenderWindow* openWindow(Ogre::Root& root) {
 TEST(Unload, NothingIsCalledThatIsGone) {
     unsetenv("DISPLAY");
     ASSERT_EQ(Headless::enable(), "");
-    Ogre::LogManager logs;
-    logs.createLog("", true, false, true);
-    Ogre::Root root("", "", "");
-    root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
-    const Ogre::String plugin = LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
-    root.loadPlugin(plugin);
+    LoadedOgre ogre;
+    Ogre::Root& root = ogre.root;
     Ogre::RenderWindow* const window = openWindow(root);
     Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
     Ogre::SceneManager* const manager = root.createSceneManager();
@@ -53,13 +65,13 @@ TEST(Unload, NothingIsCalledThatIsGone) {
     // Shadows on this one would end the program.
     spoilt.mend();
 
-    root.unloadPlugin(plugin);
+    root.unloadPlugin(LixelPlugin);
     EXPECT_EQ(mended->getVisibilityFlags(), flags);
     EXPECT_EQ(bad->getVisibilityFlags(), 0U) << "OGRE is not handed what it aborts on";
     root.renderOneFrame();
-    root.loadPlugin(plugin);
+    root.loadPlugin(LixelPlugin);
     root.renderOneFrame();
-    root.unloadPlugin(plugin);
+    root.unloadPlugin(LixelPlugin);
     manager->destroyLight(bad);
     root.renderOneFrame();
     root.destroySceneManager(manager);
@@ -109,12 +121,8 @@ INSTANTIATE_TEST_SUITE_P(Unloads, BatchesEnd, testing::Bool());
 TEST_P(BatchesEnd, LeaveNothing) {
     unsetenv("DISPLAY");
     ASSERT_EQ(Headless::enable(), "");
-    Ogre::LogManager logs;
-    logs.createLog("", true, false, true);
-    Ogre::Root root("", "", "");
-    root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
-    const Ogre::String plugin = LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
-    root.loadPlugin(plugin);
+    LoadedOgre ogre;
+    Ogre::Root& root = ogre.root;
     Ogre::RenderWindow* const window = openWindow(root);
     Ogre::ResourceGroupManager& groups = Ogre::ResourceGroupManager::getSingleton();
     for (const char* folder :
@@ -131,7 +139,7 @@ TEST_P(BatchesEnd, LeaveNothing) {
     EXPECT_GT(countBatchMaterials(), 0U);
     if (!GetParam()) return;
     window->removeAllViewports();
-    root.unloadPlugin(plugin);
+    root.unloadPlugin(LixelPlugin);
     EXPECT_TRUE(root.getSceneManagers().empty());
     EXPECT_EQ(countBatchMaterials(), 0U);
     root.renderOneFrame();
@@ -141,20 +149,16 @@ TEST_P(BatchesEnd, LeaveNothing) {
 TEST(Load, TwiceIsOnce) {
     unsetenv("DISPLAY");
     ASSERT_EQ(Headless::enable(), "");
-    Ogre::LogManager logs;
-    logs.createLog("", true, false, true);
-    Ogre::Root root("", "", "");
-    root.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
-    const Ogre::String plugin = LIXEL_PLUGIN_DIR "/Plugin_Lixel.so";
-    root.loadPlugin(plugin);
-    root.loadPlugin("/" + plugin);
+    LoadedOgre ogre;
+    Ogre::Root& root = ogre.root;
+    root.loadPlugin("/" + LixelPlugin);
     EXPECT_EQ(root.getInstalledPlugins().size(), 2U) << "the render system's and Lixel's";
     openWindow(root);
     root.renderOneFrame();
-    root.unloadPlugin(plugin);
+    root.unloadPlugin(LixelPlugin);
     root.renderOneFrame();
     EXPECT_EQ(root.getInstalledPlugins().size(), 2U) << "still loaded by the other spelling";
-    root.unloadPlugin("/" + plugin);
+    root.unloadPlugin("/" + LixelPlugin);
     EXPECT_EQ(root.getInstalledPlugins().size(), 1U);
 }
 

@@ -63,7 +63,7 @@ Scene sceneOf(LightKind kind) {
     const Aabb plank{Vec3(1.0, 0.0, -9.0), Vec3(4.0, 0.2, 0.2)};
     addTurned(plank, turn, scene.casters, scene.turnedCasters);
     addTurned(plank, turn, scene.receivers, scene.turnedReceivers);
-    // The ground and the boxes, of which the plank shadows some.
+    // The ground and the boxes; the plank shadows some of them.
     scene.casters.add(scene.receivers.box(0));
     scene.setConvex(scene.casters.size() - 1, 0);
     scene.setConvex(0, 1);
