@@ -1,5 +1,6 @@
 #include "setup/CascadesShadowCameraSetup.h"
 
+#include "fit/parts/CascadeDivision.h"
 #include "fit/parts/CascadeMemory.h"
 #include "setup/DivisionMemory.h"
 #include "setup/ShadowCameraSetups.h"
@@ -100,10 +101,12 @@ LightPartition CascadesShadowCameraSetup::divide(const ShadowProblem& problem, s
                                                  DivisionMemory& memory) const noexcept {
     if (needsParts(problem.light)) return FittedShadowCameraSetup::divide(problem, maps, memory);
     auto& own = static_cast<SliceMemory&>(memory);
-    cascadeSplits(problem, maps, mOptions, own.cascades, own.scratch, own.vsSplits);
     double vsPadding = mOptions.splitPadding;
     if (mServesOgresReceivers) vsPadding = std::max(vsPadding, 2.0 * vsNearOf(problem.viewer));
-    return sliceView(problem.viewer, problem.light, own.vsSplits, vsPadding);
+    return divideView(problem, maps, mOptions, vsPadding, own.cascades, own.scratch, own.vsSplits,
+                      [this](const ShadowProblem& part, FitState& state) {
+                          return fitAs(*mTechnique, part, state);
+                      });
 }
 
 } // namespace Lixel

@@ -67,13 +67,14 @@ double widestMargin(const CommonOptions& options) {
 }
 
 /// From the viewer to the middle of the slice that was fitted last, or to the lamp; 0 for a sun's
-/// whole view.
+/// whole view and for strips of its image.
 double distanceTo(const LightMemory& memory, const ShadowProblem& problem) {
     if (problem.light.kind != LightKind::Directional)
         return (problem.light.wsPosition - wsEyeOf(problem.viewer)).norm();
     const auto end = [&](std::size_t part) { return memory.parts.parts[part].vsEnd; };
     const std::size_t part = memory.nextPart - 1;
     const double vsBegin = part == 0 ? 0.0 : end(part - 1);
+    if (!std::isfinite(vsBegin)) return 0.0;
     return std::isfinite(end(part)) ? (vsBegin + end(part)) / 2.0 : 2.0 * vsBegin;
 }
 

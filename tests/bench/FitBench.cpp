@@ -5,8 +5,11 @@
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
 // viewer turns a little from one fit to the next, as it does from frame to frame. Each fit is
 // measured twice: with nothing known of the bodies but their boxes, and with bodies that are known
-// to be convex.
+// to be convex. Cascades are three maps of Optimal, divided and fitted: into slices by depth, or into
+// strips where they are judged better.
 #include "fit/core/FitState.h"
+#include "fit/parts/CascadeDivision.h"
+#include "fit/technique/Optimal.h"
 #include "fit/technique/Techniques.h"
 
 #include <benchmark/benchmark.h>
@@ -125,6 +128,28 @@ void measure(benchmark::State& state, const FitTechnique& technique, LightKind k
     }
 }
 
+void measureCascades(benchmark::State& state, LightKind kind, int objects, bool strips) {
+    Field field(kind, objects, false);
+    constexpr std::size_t Maps = 3;
+    const CascadeOptions options{.stripLight = strips};
+    const PartFit technique = [](const ShadowProblem& part, FitState& memory) {
+        return fitMap(part, OptimalOptions{}, memory);
+    };
+    CascadeMemory memory;
+    CascadeScratch scratch;
+    std::vector<double> vsSplits;
+    std::array<FitState, Maps> states;
+    int frame = 0;
+    for (auto _ : state) {
+        field.setFrame(frame++);
+        const LightPartition parts =
+            divideView(field.problem, Maps, options, 0.0, memory, scratch, vsSplits, technique);
+        for (std::size_t i = 0; i < parts.count; ++i)
+            benchmark::DoNotOptimize(
+                technique(problemOf(field.problem, parts.parts[i]), states[i]));
+    }
+}
+
 } // namespace
 } // namespace Lixel::Bench
 
@@ -141,6 +166,16 @@ int main(int argc, char** argv) {
                     };
                     benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
                 }
+    for (const Light& light : Lights)
+        for (const int objects : Sizes)
+            for (const bool strips : {false, true}) {
+                const std::string name = std::string("Cascades/") + light.name + "/" +
+                                         std::to_string(objects) + (strips ? "/strips" : "");
+                const auto run = [light, objects, strips](auto& state) {
+                    measureCascades(state, light.kind, objects, strips);
+                };
+                benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
+            }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();

@@ -16,6 +16,8 @@ struct DivisionRoom {
     CascadeScratch cascades;
     std::vector<double> vsSplits;
     AimScratch aiming;
+    FocusScratch focusing;
+    FocusRegion region;
 };
 
 struct Division {
@@ -25,7 +27,7 @@ struct Division {
     LightPartition (*divide)(const ShadowProblem& problem, DivisionRoom& room);
 };
 
-/// Slices of the view, faces of the view for either kind of light, cubes, aimed spots.
+/// Slices of the view, strips of the light, the better of both, faces of the view for either kind of light, cubes, aimed spots.
 std::span<const Division> divisions();
 
 /// The division of that name. @throws std::out_of_range where there is none

@@ -53,13 +53,14 @@ void settle(double nearest, double farthest, const CascadeView& view, CascadeMem
                          moved < 1.0 &&
                          turnBetween(view.fingerprint, before.fingerprint) < CameraCutChange;
     if (!follows) {
+        memory.change = std::numeric_limits<double>::infinity();
         memory.nearest = nearest;
         memory.farthest = farthest;
         return;
     }
-    const double change = std::max({moved, changeBetween(view.fingerprint, before.fingerprint),
-                                    relativeChange(view.vsReceiverNear, before.vsReceiverNear)});
-    const double step = std::min(SteadyStep + SteadyGrowth * change, GreatestStep);
+    memory.change = std::max({moved, changeBetween(view.fingerprint, before.fingerprint),
+                              relativeChange(view.vsReceiverNear, before.vsReceiverNear)});
+    const double step = std::min(SteadyStep + SteadyGrowth * memory.change, GreatestStep);
     // What has been reached is taken exactly, so that slices of a still view stand still.
     const auto follow = [&](double& depth, double now, double ahead) {
         depth = std::abs(ahead) <= step ? now : depth * std::exp(std::clamp(ahead, -step, step));
@@ -129,6 +130,11 @@ constexpr std::array Declared{
         "follow_receivers",
         "whether slices divide what is seen and can be shadowed, following it little by little, or "
         "what is between the near plane and the end of shadows; off for stable maps"),
+    option<&CascadeOptions::stripLight>(
+        "strip_light",
+        "whether the light's image may be divided instead of the view, where that is expected to "
+        "make texels smaller, as seen from above; off for materials of others that find slices by "
+        "depth"),
     option<&CascadeOptions::vsSplitDepths>(
         "split_depths", above(0.0), "world units",
         "where slices meet, instead of all this; of more than there are maps for, those up to the "

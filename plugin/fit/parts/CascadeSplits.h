@@ -18,6 +18,10 @@ struct CascadeOptions {
     /// plane to the far end of shadows: the latter stay where they are as long as the viewer's
     /// projection does. With stable maps (UniformOptions::stable) they should stay.
     bool followReceivers = true;
+    /// Whether maps may also be strips of the light's image, where texels are expected to be smaller
+    /// so: of views of little depth, as from far above. Not with given depths, with padding, or
+    /// without followReceivers. Materials of others that find slices by depth need it off.
+    bool stripLight = true;
     /** Where slices meet, as depths in front of the viewer, instead of all that. As many as maps
         less one are taken as they are: a slice that ends before the viewer's near plane is empty,
         and receivers with the same depths read the others' maps. Of more, those up to the near

@@ -121,6 +121,30 @@ LightPartition sliceView(const ShadowViewer& viewer, const ShadowLight& light,
     return parts;
 }
 
+LightPartition stripLight(const ShadowLight& light, const LightImage& image,
+                          const Vec2& liDirection, std::span<const double> liSplits) {
+    liSplits = liSplits.first(std::min(liSplits.size(), LightPartition::Capacity - 1));
+    if (liSplits.empty()) return wholeLight(light);
+    // Of a point with the image q: z (d . q - split), with z > 0 its depth along a lamp's axis, or
+    // 1.
+    const auto beyond = [&](double split) {
+        const Vec3 lsNormal(liDirection.x(), liDirection.y(), image.directional() ? 0.0 : split);
+        const Vec3 wsNormal = image.lsFromWs().transpose() * lsNormal;
+        Vec4 row;
+        row << wsNormal, -wsNormal.dot(image.wsEye()) - (image.directional() ? split : 0.0);
+        return row;
+    };
+    LightPartition parts;
+    Vec4 row = -beyond(liSplits.front()) / 2.0;
+    add(parts, light, row);
+    for (const double split : liSplits) {
+        row += beyond(split);
+        add(parts, light, row);
+    }
+    bound(parts);
+    return parts;
+}
+
 LightPartition aimedSpot(const ShadowProblem& problem, AimScratch& scratch) {
     ShadowLight spot;
     return aimSpot(problem, scratch, spot) ? wholeLight(spot) : LightPartition();

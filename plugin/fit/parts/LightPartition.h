@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/focus/LightImage.h"
 #include "fit/parts/SpotAim.h"
 #include "fit/problem/ShadowPart.h"
 
@@ -38,6 +39,18 @@ LIXEL_API LightPartition wholeLight(const ShadowLight& light);
 */
 LIXEL_API LightPartition sliceView(const ShadowViewer& viewer, const ShadowLight& light,
                                    std::span<const double> vsSplits, double vsPadding = 0.0);
+
+/** Strips of the light image: between lines across one direction, so that no light ray is in two.
+
+    The maps of slices by depth overlap in the light image wherever what is seen reaches through
+    several of them along the light; strips' maps never do.
+
+    @param liDirection unit direction across the strips, in `image`
+    @param liSplits where strips meet along it, ascending; at most Capacity - 1 of them count
+    @return one part more than splits
+*/
+LIXEL_API LightPartition stripLight(const ShadowLight& light, const LightImage& image,
+                                    const Vec2& liDirection, std::span<const double> liSplits);
 
 /** A point light, or a spot too wide for one map, in a single part: the narrowest spot that will
     do.

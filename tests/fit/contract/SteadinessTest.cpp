@@ -7,8 +7,8 @@
 #include "fit/focus/FocusRegion.h"
 #include "fit/focus/LightImage.h"
 #include "fit/geometry/Polygon2.h"
+#include "fit/parts/CascadeDivision.h"
 #include "fit/parts/CascadeMemory.h"
-#include "fit/parts/CascadeSplits.h"
 #include "fit/problem/TexelInPixels.h"
 
 #include <gtest/gtest.h>
@@ -384,23 +384,115 @@ TEST_P(Rest, ComesAfterAWalk) {
     }
 }
 
-TEST(RestOfSlices, ComesAfterAWalk) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+/// Frame after frame of one viewer, with what is seen divided into three.
+class Divided {
+public:
+    explicit Divided(const Trial& trial)
+        : mTechnique([&trial](const ShadowProblem& part, FitState& state) {
+              return trial.fit(part, state);
+          }) {}
+
+    void divide(const Scene& scene) {
+        mBefore = parts;
+        parts = divideView(scene.problem(), 3, {}, 0.0, memory, mScratch, mSplits, mTechnique);
+    }
+    /// Whether parts are what they were the frame before, to the last bit.
+    bool isAlike() const {
+        if (parts.count != mBefore.count) return false;
+        for (std::size_t i = 0; i < parts.count; ++i)
+            if (parts.parts[i].wsRow != mBefore.parts[i].wsRow) return false;
+        return true;
+    }
+
+    CascadeMemory memory;
+    LightPartition parts;
+
+private:
+    PartFit mTechnique;
+    CascadeScratch mScratch;
+    std::vector<double> mSplits;
+    LightPartition mBefore;
+};
+
+/// The same seen from far above: its ground is all at one depth.
+Scene fromAbove(const Scene& scene) {
+    Scene above = scene;
+    above.viewer.viewFromWorld =
+        lookAlong(Vec3(0.0, 60.0, 0.0), Vec3(0.1, -1.0, 0.05), Vec3::UnitZ());
+    return above;
+}
+
+TEST(RestOfParts, ComesAfterAWalk) {
+    int strips = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         Dice dice(seed);
-        const Scene scene = randomOutdoors(dice);
-        CascadeMemory memory;
-        CascadeScratch scratch;
-        std::vector<double> splits;
+        const Scene outdoors = randomOutdoors(dice);
+        const Scene scene = seed % 2 == 0 ? outdoors : fromAbove(outdoors);
+        const auto walk = [&](int frame) {
+            Scene now = scene;
+            const Vec3 wsStep = 0.05 * frame * Vec3(1.0, 0.0, 0.3);
+            now.viewer.viewFromWorld.topRightCorner<3, 1>() -=
+                now.viewer.viewFromWorld.topLeftCorner<3, 3>() * wsStep;
+            return now;
+        };
+        Divided divided(trialNamed("Optimal"));
         constexpr int Steps = 20;
         for (int frame = 0; frame < Steps; ++frame)
-            cascadeSplits(walked(scene, frame).problem(), 3, {}, memory, scratch, splits);
-        const Scene still = walked(scene, Steps);
+            divided.divide(walk(frame));
+        const Scene still = walk(Steps);
         EXPECT_LT(framesToRest([&] {
-                      const std::vector<double> before = splits;
-                      cascadeSplits(still.problem(), 3, {}, memory, scratch, splits);
-                      return splits == before;
+                      divided.divide(still);
+                      return divided.isAlike();
                   }),
                   MostFrames)
             << "seed " << seed;
+        if (!divided.memory.strips.wsDirection.isZero(0.0)) ++strips;
     }
+    EXPECT_GT(strips, 2);
+    EXPECT_LT(strips, 10);
+}
+
+TEST(SteadinessOfParts, BordersMoveLittleWithTheView) {
+    const Trial& trial = trialNamed("Optimal");
+    std::size_t measured = 0;
+    std::size_t jumps = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        Dice dice(seed);
+        const Scene outdoors = randomOutdoors(dice);
+        const Scene scene = seed % 2 == 0 ? outdoors : fromAbove(outdoors);
+        const Vec3 axis = dice.direction();
+        Divided divided(trial);
+        divided.divide(scene);
+        double greatest = 0.0;
+        for (int i = 1; i < 2000; ++i) {
+            const LightPartition before = divided.parts;
+            const std::size_t jumpsBefore = divided.memory.strips.jumps;
+            const Scene now = viewerTurned(scene, axis, i * Step);
+            divided.divide(now);
+            const LightPartition& after = divided.parts;
+            if (divided.memory.strips.jumps != jumpsBefore) continue;
+            ASSERT_EQ(after.count, before.count);
+            // Where the border lies on its normal, relative to what is seen, which is the view's
+            // depth for slices and the focus region for strips.
+            const std::vector<Sample> samples =
+                i % 100 == 1 ? samplesOf(now, dice, 40) : std::vector<Sample>();
+            for (const Sample& sample : samples) {
+                const std::size_t servedBefore = before.serving(sample.ws);
+                const std::size_t servedAfter = after.serving(sample.ws);
+                ++measured;
+                if (servedBefore == servedAfter) continue;
+                // Points that change their map lie near the border.
+                const HalfSpace& border =
+                    before.parts[servedBefore]
+                        .wsBounds[servedAfter < servedBefore ? servedAfter : servedAfter - 1];
+                greatest = std::max(greatest, std::abs(border.distance(sample.ws)) /
+                                                  (sample.ws - eyeOf(scene.viewer)).norm());
+            }
+        }
+        EXPECT_LT(greatest, 0.02) << "seed " << seed;
+        jumps += divided.memory.strips.jumps;
+    }
+    EXPECT_GT(measured, 1000U);
+    // Turning by 0.2 rad, a dozen times.
+    EXPECT_LE(jumps, 6U);
 }

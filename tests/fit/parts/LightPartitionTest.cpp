@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numbers>
 
 using namespace Lixel;
 using namespace Lixel::Test;
@@ -134,6 +135,36 @@ TEST(LightPartition, PaddedSlicesReachFartherAndServeTheSame) {
                               return plane.distance(ws) >= 0.0;
                           }));
             }
+        }
+    });
+    EXPECT_TRUE(holds);
+}
+
+TEST(LightPartition, StripsAreByTheLightImage) {
+    const bool holds = rc::check([] {
+        const Scene scene = *anyScene();
+        Dice dice(*anySeed());
+        const LightImage image(scene.light);
+        const double angle = dice.in(0.0, 2.0 * std::numbers::pi);
+        const Vec2 liDirection(std::cos(angle), std::sin(angle));
+        const double liSize = image.directional() ? scene.size : 1.0;
+        std::vector<double> splits;
+        for (std::size_t i = 0; i < 1 + dice.below(5); ++i)
+            splits.push_back(liSize * dice.in(-1.0, 1.0));
+        std::ranges::sort(splits);
+        const LightPartition parts = stripLight(scene.light, image, liDirection, splits);
+        RC_ASSERT(parts.count == splits.size() + 1);
+        std::vector<Vec3> points = pointsAround(scene, dice);
+        // What is behind a lamp has no image.
+        std::erase_if(points, [&](const Vec3& ws) {
+            return !image.directional() && !(-image.lsFromPoint(ws).z() > 0.0);
+        });
+        expectPartition(parts, points);
+        for (const Vec3& ws : points) {
+            if (!isClearOfBorders(parts, ws)) continue;
+            const double at = liDirection.dot(image.project(image.lsFromPoint(ws)));
+            const auto strip = std::ranges::upper_bound(splits, at) - splits.begin();
+            RC_ASSERT(parts.serving(ws) == static_cast<std::size_t>(strip));
         }
     });
     EXPECT_TRUE(holds);

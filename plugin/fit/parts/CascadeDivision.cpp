@@ -1,0 +1,288 @@
+#include "fit/parts/CascadeDivision.h"
+
+#include "fit/sampling/FitExtent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace Lixel {
+namespace {
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// How much has to change until one more division is judged: the viewer turns by six degrees.
+/// Judging takes a cold fit of each part of two divisions, and a frame that follows another takes
+/// one warm fit of each part of one.
+constexpr double JudgedChange = 0.1;
+
+/// Least gain, relative, for which a division replaces another. A viewer who turns all around on a
+/// plain under a low sun sees 5 replaced; with half of it 15, for a gain that nobody sees.
+constexpr double LeastGain = 0.2;
+
+/// Fewer samples judge nothing.
+constexpr std::size_t FewestSamples = 16;
+
+/// A strip narrower than this share of the light image's extent is not for any map.
+constexpr double LeastShare = 1e-3;
+
+/// One way to divide: by depth, or across a direction of the light image.
+struct Division {
+    /// Zero: by depth.
+    Vec2 liDirection = Vec2::Zero();
+    /// Where parts meet, as depths or along the direction.
+    std::span<const double> splits;
+    LightPartition parts;
+
+    bool isByDepth() const { return liDirection.isZero(0.0); }
+    std::size_t partOf(const ViewSample& sample) const {
+        const double at = isByDepth() ? sample.vsDepth : liDirection.dot(sample.liPoint);
+        return static_cast<std::size_t>(std::ranges::upper_bound(splits, at) - splits.begin());
+    }
+};
+
+/// A range of a direction of the light image, and the samples in it.
+struct Strip {
+    double liBegin = 0.0;
+    double liEnd = 0.0;
+    std::span<const std::pair<double, double>> demands;
+};
+
+/// Where a strip is best cut in two.
+struct Cut {
+    double gain = 0.0;
+    double li = 0.0;
+    std::size_t before = 0;
+};
+
+double demandOf(const Strip& strip) {
+    double sum = 0.0;
+    for (const auto& [at, demand] : strip.demands)
+        sum += demand;
+    return sum;
+}
+
+Cut bestCut(const Strip& strip) {
+    const double total = demandOf(strip);
+    const double whole = total * std::sqrt(strip.liEnd - strip.liBegin);
+    Cut best;
+    double before = 0.0;
+    for (std::size_t i = 1; i < strip.demands.size(); ++i) {
+        before += strip.demands[i - 1].second;
+        const double li = (strip.demands[i - 1].first + strip.demands[i].first) / 2.0;
+        const double cost = before * std::sqrt(std::max(li - strip.liBegin, 0.0)) +
+                            (total - before) * std::sqrt(std::max(strip.liEnd - li, 0.0));
+        if (whole - cost > best.gain) best = {whole - cost, li, i};
+    }
+    return best;
+}
+
+/// Divides one problem, and judges divisions of it.
+class Divider {
+public:
+    Divider(const ShadowProblem& problem, std::size_t count, StripMemory& memory,
+            CascadeScratch& scratch, const PartFit& technique)
+        : mProblem(problem),
+          mImage(problem.light),
+          mCount(count),
+          mMemory(memory),
+          mScratch(scratch),
+          mTechnique(technique) {}
+
+    /// @param slices by depth
+    /// @param change since the frame before, infinite after a camera cut
+    LightPartition divide(const Division& slices, double change) {
+        mSlices = &slices;
+        if (mMemory.count != mCount || !std::isfinite(change)) return begin();
+        mNow = current();
+        mMemory.change += change;
+        if (mMemory.change >= JudgedChange) {
+            mMemory.change = 0.0;
+            judgeNext();
+        }
+        return mNow.parts;
+    }
+
+private:
+    static constexpr std::size_t Ways = 3;
+
+    /// The best of all.
+    LightPartition begin() {
+        mMemory = {.count = mCount, .jumps = mMemory.jumps};
+        double least = Infinity;
+        for (std::size_t way = 0; way < Ways; ++way) {
+            const Division division = ofWay(way);
+            const double cost = costOf(division);
+            if (way > 0 && !(cost < least)) continue;
+            least = cost;
+            take(division);
+        }
+        return mNow.parts;
+    }
+
+    /// Compares another division with what there is.
+    void judgeNext() {
+        mMemory.next = (mMemory.next + 1) % Ways;
+        if (mMemory.next == 0 && mNow.isByDepth()) ++mMemory.next;
+        const Division other = ofWay(mMemory.next);
+        if (!(costOf(other) < (1.0 - LeastGain) * costOf(mNow))) return;
+        take(other);
+        ++mMemory.jumps;
+    }
+
+    void take(const Division& division) {
+        mNow = division;
+        mMemory.wsDirection = Vec3::Zero();
+        if (division.isByDepth()) return;
+        const Vec3 lsDirection(division.liDirection.x(), division.liDirection.y(), 0.0);
+        mMemory.wsDirection = mImage.lsFromWs().transpose() * lsDirection;
+        mMemory.shares = mShares;
+    }
+
+    /// By depth, and along both sides of the rectangle around the focus region.
+    Division ofWay(std::size_t way) {
+        if (way == 0) return *mSlices;
+        const OrientedRectangle rectangle = smallestRectangle(hull());
+        Vec2 direction(std::cos(rectangle.angle), std::sin(rectangle.angle));
+        if (way == 2) direction = Vec2(-direction.y(), direction.x());
+        return strips(direction, sharesOf(direction));
+    }
+
+    /// What the frame before had, as it is now.
+    Division current() {
+        if (mMemory.wsDirection.isZero(0.0)) return *mSlices;
+        Vec2 direction = (mImage.lsFromWs() * mMemory.wsDirection).head<2>();
+        // A light that has turned into the strips' direction.
+        constexpr double LeastSine = 0.1;
+        if (!(direction.norm() > LeastSine)) {
+            take(*mSlices);
+            ++mMemory.jumps;
+            return *mSlices;
+        }
+        direction.normalize();
+        return strips(direction, mMemory.shares);
+    }
+
+    using Shares = std::array<double, ShadowPart::MostBounds>;
+
+    Shares sharesOf(const Vec2& liDirection) {
+        return stripShares(mScratch.samples, hull(), liDirection, mCount, mScratch.demands);
+    }
+
+    Division strips(const Vec2& liDirection, const Shares& shares) {
+        mShares = shares;
+        const double liBegin = -support(hull(), -liDirection);
+        const double liEnd = support(hull(), liDirection);
+        Division division{.liDirection = liDirection, .splits = {}, .parts = {}};
+        std::array<double, ShadowPart::MostBounds>& splits = mSplits[mUsed++ % mSplits.size()];
+        for (std::size_t i = 0; i + 1 < mCount; ++i)
+            splits[i] = liBegin + shares[i] * (liEnd - liBegin);
+        division.splits = std::span(splits).first(mCount - 1);
+        division.parts = stripLight(mProblem.light, mImage, liDirection, division.splits);
+        return division;
+    }
+
+    /// The extents of the texels that serve the samples, all together.
+    double costOf(const Division& division) {
+        double cost = 0.0;
+        for (std::size_t i = 0; i < division.parts.count; ++i) {
+            mScratch.judged.memory = {};
+            const ShadowFit fit =
+                mTechnique(problemOf(mProblem, division.parts.parts[i]), mScratch.judged);
+            if (fit.reason == FitReason::NoReceivers || fit.reason == FitReason::NothingShadowed)
+                continue;
+            if (!fit.hasMap()) return Infinity;
+            const FitExtent extent(fit, mImage, mProblem.mapWidth, mProblem.mapHeight);
+            for (const ViewSample& sample : mScratch.samples)
+                if (division.partOf(sample) == i) cost += extent(sample);
+        }
+        return std::isnan(cost) ? Infinity : cost;
+    }
+
+    const Polygon2& hull() const { return mScratch.region.liHull; }
+
+    const ShadowProblem& mProblem;
+    const LightImage mImage;
+    std::size_t mCount;
+    StripMemory& mMemory;
+    CascadeScratch& mScratch;
+    const PartFit& mTechnique;
+    const Division* mSlices = nullptr;
+    Division mNow;
+    /// Of the strips made last.
+    Shares mShares{};
+    /// Splits of those in use: what there is, and what is judged.
+    std::array<Shares, Ways> mSplits{};
+    std::size_t mUsed = 0;
+};
+
+} // namespace
+
+std::array<double, ShadowPart::MostBounds>
+stripShares(const std::vector<ViewSample>& samples, const Polygon2& liHull, const Vec2& liDirection,
+            std::size_t count, std::vector<std::pair<double, double>>& demands) {
+    demands.clear();
+    for (const ViewSample& sample : samples)
+        demands.emplace_back(liDirection.dot(sample.liPoint), std::sqrt(sample.ndcFromLi.norm()));
+    std::ranges::sort(demands);
+    const double liBegin = -support(liHull, -liDirection);
+    const double liEnd = support(liHull, liDirection);
+
+    std::array<double, ShadowPart::MostBounds> shares{};
+    std::array<Strip, ShadowPart::Most> strips;
+    strips[0] = {liBegin, liEnd, demands};
+    // The strip that gains most is cut in two, until there are enough.
+    for (std::size_t made = 1; made < std::min(count, ShadowPart::Most); ++made) {
+        Cut best;
+        std::size_t where = 0;
+        for (std::size_t i = 0; i < made; ++i) {
+            const Cut cut = bestCut(strips[i]);
+            if (!(cut.gain > best.gain)) continue;
+            best = cut;
+            where = i;
+        }
+        const Strip whole = strips[where];
+        if (!(best.gain > 0.0)) {
+            // All demand is at one place: any cut will do.
+            best.li = (whole.liBegin + whole.liEnd) / 2.0;
+            best.before = whole.demands.size();
+        }
+        std::copy_backward(strips.begin() + static_cast<std::ptrdiff_t>(where) + 1,
+                           strips.begin() + static_cast<std::ptrdiff_t>(made),
+                           strips.begin() + static_cast<std::ptrdiff_t>(made) + 1);
+        strips[where] = {whole.liBegin, best.li, whole.demands.first(best.before)};
+        strips[where + 1] = {best.li, whole.liEnd, whole.demands.subspan(best.before)};
+    }
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        shares[i] = (strips[i].liEnd - liBegin) / (liEnd - liBegin);
+    // Strips of no width would be no parts.
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        shares[i] = std::clamp(shares[i], LeastShare * static_cast<double>(i + 1),
+                               1.0 - LeastShare * static_cast<double>(count - 1 - i));
+    for (std::size_t i = 1; i + 1 < count; ++i)
+        shares[i] = std::max(shares[i], shares[i - 1] + LeastShare);
+    return shares;
+}
+
+LightPartition divideView(const ShadowProblem& problem, std::size_t count,
+                          const CascadeOptions& options, double vsPadding, CascadeMemory& memory,
+                          CascadeScratch& scratch, std::vector<double>& vsSplits,
+                          const PartFit& technique) {
+    cascadeSplits(problem, count, options, memory, scratch, vsSplits);
+    const Division slices{.liDirection = Vec2::Zero(),
+                          .splits = vsSplits,
+                          .parts = sliceView(problem.viewer, problem.light, vsSplits, vsPadding)};
+    const bool mayStrip = options.stripLight && options.followReceivers &&
+                          options.vsSplitDepths.empty() && !(vsPadding > 0.0);
+    // Without splits there is nothing to divide, and the scratch memory is another problem's.
+    if (!mayStrip || vsSplits.empty() || slices.parts.count != vsSplits.size() + 1 ||
+        scratch.samples.size() < FewestSamples || scratch.region.liHull.size() < 3) {
+        memory.strips.count = 0;
+        return slices.parts;
+    }
+    return Divider(problem, slices.parts.count, memory.strips, scratch, technique)
+        .divide(slices, memory.change);
+}
+
+} // namespace Lixel
