@@ -116,6 +116,7 @@ public:
 private:
     void initMetaData() const override {
         mMetaData.typeName = mTypeName;
+        mMetaData.worldGeometrySupported = false;
     }
 #endif
 
