@@ -157,6 +157,7 @@ void VisibleObjects::queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
     for (std::size_t i = 0; i < found.size(); ++i) {
         fetchAhead(i);
         const NodeStore::Slot slot = found[i];
+        if (!mStore->isSomewhere(slot)) continue; // a listener of an object before destroyed it
         const Ogre::SceneNode& node = mStore->node(slot);
         if (!node.isInSceneGraph()) continue;
         Ogre::MovableObject* const only = mStore->onlyObject(slot);

@@ -246,6 +246,7 @@ void NodeStore::find(const NodeCuller& volume, NodeSearch& search) const {
 }
 
 void NodeStore::prefetch(Slot slot) const {
+    if (!isSomewhere(slot)) return;
     // Whether a node is in the scene graph stands at its end, whatever OGRE's version.
     __builtin_prefetch(reinterpret_cast<const char*>(mPlaces[slot].node + 1) - 1);
     // An object's flags and an entity's parts come after its name and before its animation.

@@ -98,6 +98,11 @@ public:
     void find(const NodeCuller& volume, NodeSearch& search) const;
 
     Ogre::SceneNode& node(Slot slot) const { return *mPlaces[slot].node; }
+    /// Whether a slot found by a search still holds a node that has a box: listeners may destroy
+    /// nodes, and create others in their places, while what was found is gone through.
+    bool isSomewhere(Slot slot) const {
+        return mPlaces[slot].block != nullptr || mPlaces[slot].unbounded;
+    }
     /// Null where there is not one but several, or none.
     Ogre::MovableObject* onlyObject(Slot slot) const { return mPlaces[slot].object; }
     /// A number that changes with what is attached.
