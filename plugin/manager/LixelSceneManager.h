@@ -26,6 +26,8 @@ class CasterBatches;
       drawn only because a child is in view.
     - Debug drawing (setDisplaySceneNodes, showBoundingBoxes) shows nodes with objects of their own.
     - A node at a place that is not finite is not drawn, and named in the log once; OGRE aborts.
+    - Sphere queries find what is alone on its node where it is, as boxes and rays do. OGRE's know the
+      sphere of the last frame that showed the object, if one did.
     - Objects are queued in the order in which their nodes first had something attached, not in the
       order of the graph. It makes a difference only between surfaces of one material at one depth.
     - Casters by Lixel's programs store the nearest depth of each texel, whatever the order in which
