@@ -1,6 +1,7 @@
 #include "Plugin.h"
 
 #include <Lixel/manager/LixelSceneManager.h>
+#include <Lixel/material/OnDemandPrograms.h>
 #include <Lixel/material/ShadowParameters.h>
 #include <Lixel/scene/Log.h>
 #include <Lixel/script/ShadowCameraSetupManager.h>
@@ -23,6 +24,7 @@ const Ogre::String& Plugin::getName() const {
 void Plugin::initialise() {
     mShadowParameters = std::make_unique<ShadowParameters>();
     mPresets = std::make_unique<ShadowCameraSetupManager>();
+    mPrograms = std::make_unique<OnDemandPrograms>();
     mSceneManagers = std::make_unique<LixelSceneManagerFactory>();
     Ogre::Root::getSingleton().addSceneManagerFactory(mSceneManagers.get());
     Ogre::Root::getSingleton().addFrameListener(this);
@@ -33,6 +35,7 @@ void Plugin::shutdown() {
     // Destroys the scene managers that it made.
     Ogre::Root::getSingleton().removeSceneManagerFactory(mSceneManagers.get());
     mSceneManagers.reset();
+    mPrograms.reset();
     mPresets.reset();
     mShadowParameters.reset();
     // The library may be unloaded next, under scenes that live on.

@@ -8,6 +8,7 @@
 namespace Lixel {
 
 class LixelSceneManagerFactory;
+class OnDemandPrograms;
 class ShadowCameraSetupManager;
 class ShadowParameters;
 
@@ -29,6 +30,7 @@ public:
 private:
     std::unique_ptr<ShadowParameters> mShadowParameters;
     std::unique_ptr<ShadowCameraSetupManager> mPresets;
+    std::unique_ptr<OnDemandPrograms> mPrograms;
     std::unique_ptr<LixelSceneManagerFactory> mSceneManagers;
 };
 

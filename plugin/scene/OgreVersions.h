@@ -96,6 +96,15 @@ inline Ogre::GpuProgramPtr createProgram(const Ogre::String& name, const Ogre::S
 
 #endif
 
+/// Whether a GLSL program's text alone tells its uniforms and how they are laid out. Since 13, GL3+
+/// links each program by itself unless told otherwise ("Separate Shader Objects"), and OpenGL has to
+/// be asked.
+#if OGRE_VERSION_MAJOR >= 13
+#define LIXEL_UNIFORMS_BY_TEXT 0
+#else
+#define LIXEL_UNIFORMS_BY_TEXT 1
+#endif
+
 /// The name of what StringInterface::getParameters() lists: since 14 it lists names alone.
 inline const Ogre::String& settingName(const Ogre::ParameterDef& setting) {
     return setting.name;

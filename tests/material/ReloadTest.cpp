@@ -29,8 +29,8 @@ void main()
 }
 )";
 
-const char* const Programs = R"(
-vertex_program Edited/VP glsl
+std::string programsIn(const std::string& language) {
+    return "vertex_program Edited/VP " + language + R"(
 {
     source edited.vert
     default_params
@@ -38,7 +38,8 @@ vertex_program Edited/VP glsl
         param_named_auto worldViewProj worldviewproj_matrix
     }
 }
-fragment_program Edited/FP glsl
+fragment_program Edited/FP )" +
+           language + R"(
 {
     source edited.frag
     default_params
@@ -47,6 +48,7 @@ fragment_program Edited/FP glsl
     }
 }
 )";
+}
 
 /// The fragment program's parameters are given by `lines`.
 std::string materialWith(const std::string& lines) {
@@ -60,27 +62,29 @@ std::string levelOf(const std::string& value) {
     return "uniform float scale;\nfloat level()\n{\n    return " + value + " * scale;\n}\n";
 }
 
-/// A ground whose colour is in files: half of white to begin with.
-class Reload : public testing::Test {
+/// A ground whose colour is in files, with programs of a language: half of white to begin with.
+class Reload : public testing::TestWithParam<const char*> {
 protected:
     Reload() : scene(IntegratedTechnique, "") {
         scene.wear("Lixel/Surface/Integrated");
         folder.write("edited.vert", VertexShader);
         folder.write("edited.frag", Shader);
         folder.write("edited.glsl", levelOf("0.5"));
-        folder.write("edited.program", Programs);
+        folder.write("edited.program", programs());
         folder.write("edited.material", materialWith(""));
         // Broken from the start.
         folder.write("later.frag", "#version 330 core\nwrong");
-        folder.write("later.program", "fragment_program Edited/LaterFP glsl\n{\n"
-                                      "    source later.frag\n    default_params\n    {\n"
-                                      "    }\n}\n");
+        folder.write("later.program", std::string("fragment_program Edited/LaterFP ") + GetParam() +
+                                          "\n{\n"
+                                          "    source later.frag\n    default_params\n    {\n"
+                                          "    }\n}\n");
         folder.parse();
         static_cast<Ogre::Entity&>(*scene.ground->getAttachedObject(0))
             .setMaterialName("Edited/Level", EditedFolder::Group);
         EXPECT_EQ(level(), 128);
     }
 
+    std::string programs() const { return programsIn(GetParam()); }
     int level() { return scene.draw()[scene.pixelOf(Ogre::Vector3(4, 0, 4))]; }
 
     void expectAll(const std::vector<std::string>& errors, const std::string& text) const {
@@ -93,14 +97,16 @@ protected:
     EditedFolder folder;
 };
 
-TEST_F(Reload, ShowsWhatAShaderIncludes) {
+INSTANTIATE_TEST_SUITE_P(Languages, Reload, testing::Values("glsl", "lixel_glsl"));
+
+TEST_P(Reload, ShowsWhatAShaderIncludes) {
     folder.write("edited.glsl", levelOf("0.25"));
     EXPECT_EQ(level(), 128) << "nothing was read yet";
     EXPECT_TRUE(folder.reload().empty());
     EXPECT_EQ(level(), 64);
 }
 
-TEST_F(Reload, ShowsAMaterial) {
+TEST_P(Reload, ShowsAMaterial) {
     folder.write("edited.material", materialWith("param_named scale float 0.5"));
     EXPECT_TRUE(folder.reload().empty());
     EXPECT_EQ(level(), 64);
@@ -109,21 +115,21 @@ TEST_F(Reload, ShowsAMaterial) {
     EXPECT_EQ(level(), 128) << "a line that went has no effect any more";
 }
 
-TEST_F(Reload, ShowsAProgramsDefaults) {
-    std::string half = Programs;
+TEST_P(Reload, ShowsAProgramsDefaults) {
+    std::string half = programs();
     half.replace(half.find("float 1"), 7, "float 0.5");
     folder.write("edited.program", half);
     EXPECT_TRUE(folder.reload().empty());
     EXPECT_EQ(level(), 64);
 }
 
-TEST_F(Reload, ShowsDefinitionsOfThePreprocessor) {
+TEST_P(Reload, ShowsDefinitionsOfThePreprocessor) {
     folder.write("edited.glsl", "uniform float scale;\n#ifdef DARK\nuniform float dark;\n#else\n"
                                 "const float dark = 1.0;\n#endif\n"
                                 "float level()\n{\n    return 0.5 * dark * scale;\n}\n");
     EXPECT_TRUE(folder.reload().empty());
     EXPECT_EQ(level(), 128);
-    std::string dark = Programs;
+    std::string dark = programs();
     dark.replace(dark.find("source edited.frag"), 18,
                  "source edited.frag\n    preprocessor_defines DARK=1");
     dark.replace(dark.find("float 1"), 7, "float 1\n        param_named dark float 0.5");
@@ -132,7 +138,7 @@ TEST_F(Reload, ShowsDefinitionsOfThePreprocessor) {
     EXPECT_EQ(level(), 64);
 }
 
-TEST_F(Reload, KeepsTheLastGoodShader) {
+TEST_P(Reload, KeepsTheLastGoodShader) {
     folder.write("edited.glsl", levelOf("0.25 +"));
     expectAll(folder.reload(), "edited.frag does not compile, or a file is missing");
     EXPECT_EQ(level(), 128);
@@ -141,7 +147,7 @@ TEST_F(Reload, KeepsTheLastGoodShader) {
     EXPECT_EQ(level(), 64);
 }
 
-TEST_F(Reload, OutlivesAFileThatIsMissing) {
+TEST_P(Reload, OutlivesAFileThatIsMissing) {
     folder.remove("edited.glsl");
     expectAll(folder.reload(), "a file is missing");
     EXPECT_EQ(level(), 128);
@@ -150,7 +156,7 @@ TEST_F(Reload, OutlivesAFileThatIsMissing) {
     EXPECT_EQ(level(), 64);
 }
 
-TEST_F(Reload, KnowsWhatOtherGroupsHave) {
+TEST_P(Reload, KnowsWhatOtherGroupsHave) {
     const std::string surface = "import * from \"Lixel.material\"\n"
                                 "material Edited/Inherits : Lixel/Surface/Integrated\n{\n}\n";
     folder.write("edited.material", surface + materialWith("param_named scale float 0.5"));
@@ -158,7 +164,7 @@ TEST_F(Reload, KnowsWhatOtherGroupsHave) {
     EXPECT_EQ(level(), 64);
 }
 
-TEST_F(Reload, DefinesSetupsOfMaterialScriptsAnew) {
+TEST_P(Reload, DefinesSetupsOfMaterialScriptsAnew) {
     const std::string setup = "shadow_camera_setup Edited/Sun\n{\n    map_size ";
     for (const char* const size : {"256", "512", "128"}) {
         folder.write("edited.material", materialWith("") + setup + size + "\n}\n");
@@ -168,12 +174,12 @@ TEST_F(Reload, DefinesSetupsOfMaterialScriptsAnew) {
     }
 }
 
-TEST_F(Reload, SaysWhereASetupIsWrong) {
+TEST_P(Reload, SaysWhereASetupIsWrong) {
     folder.write("edited.shadow", "shadow_camera_setup Edited/Wrong\n{\n    map_size none\n}\n");
     expectAll(folder.reload(), "edited.shadow(3)");
 }
 
-TEST_F(Reload, KeepsTheLastGoodMaterial) {
+TEST_P(Reload, KeepsTheLastGoodMaterial) {
     for (const std::string& wrong :
          {materialWith("param_named scal float 0.5"), materialWith("param_named scale flot 0.5"),
           materialWith("param_named scale float 0.5") + "material Edited/Other\n{\n  colour 1\n}\n",
@@ -187,25 +193,25 @@ TEST_F(Reload, KeepsTheLastGoodMaterial) {
     EXPECT_EQ(level(), 32);
 }
 
-TEST_F(Reload, KeepsTheLastGoodProgram) {
-    std::string wrong = Programs;
+TEST_P(Reload, KeepsTheLastGoodProgram) {
+    std::string wrong = programs();
     wrong.replace(wrong.find("float 1"), 7, "float 0.5\n        param_named scala float 1");
     folder.write("edited.program", wrong);
     expectAll(folder.reload(), "edited.program(");
     EXPECT_EQ(level(), 128);
-    folder.write("edited.program", Programs);
+    folder.write("edited.program", programs());
     EXPECT_TRUE(folder.reload().empty());
-    wrong = Programs;
+    wrong = programs();
     wrong.replace(wrong.find("edited.frag"), 11, "other.frag");
     folder.write("edited.program", wrong);
     expectAll(folder.reload(), "edited.program");
     EXPECT_EQ(level(), 128) << "its file is not there";
-    folder.write("edited.program", Programs);
+    folder.write("edited.program", programs());
     EXPECT_TRUE(folder.reload().empty());
     EXPECT_EQ(level(), 128);
 }
 
-TEST_F(Reload, ShowsAProgramThatWasBrokenFromTheStart) {
+TEST_P(Reload, ShowsAProgramThatWasBrokenFromTheStart) {
     std::string later = materialWith("");
     later.replace(later.find("Edited/FP"), 9, "Edited/LaterFP");
     folder.write("later.frag", "#version 330 core\nout vec4 fragColour;\nvoid main()\n{\n"
@@ -215,7 +221,7 @@ TEST_F(Reload, ShowsAProgramThatWasBrokenFromTheStart) {
     EXPECT_EQ(level(), 64);
 }
 
-TEST_F(Reload, MayBeDoneAHundredTimes) {
+TEST_P(Reload, MayBeDoneAHundredTimes) {
     for (int i = 0; i < 100; ++i) {
         const bool wrong = i % 3 == 2;
         const bool dark = i % 2 == 0;
@@ -228,7 +234,7 @@ TEST_F(Reload, MayBeDoneAHundredTimes) {
     }
 }
 
-TEST_F(Reload, LeavesTheApplicationsListenerInPlace) {
+TEST_P(Reload, LeavesTheApplicationsListenerInPlace) {
     Ogre::ScriptCompilerListener own;
     auto& compilers = Ogre::ScriptCompilerManager::getSingleton();
     compilers.setListener(&own);
@@ -237,7 +243,7 @@ TEST_F(Reload, LeavesTheApplicationsListenerInPlace) {
     compilers.setListener(nullptr);
 }
 
-TEST_F(Reload, RefusesAGroupThatThereIsNot) {
+TEST_P(Reload, RefusesAGroupThatThereIsNot) {
     EXPECT_THROW(Lixel::reload("Nowhere"), Ogre::ItemIdentityException);
 }
 

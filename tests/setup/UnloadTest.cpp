@@ -77,9 +77,19 @@ TEST(Unload, NothingIsCalledThatIsGone) {
     root.destroySceneManager(manager);
 }
 
-/// Six cubes before a sun, in Lixel's scene manager.
-Ogre::SceneManager* makeCubes(Ogre::Root& root, Ogre::RenderWindow& window) {
-    Ogre::SceneManager* const manager = root.createSceneManager("LixelSceneManager");
+void readLixelsScripts() {
+    Ogre::ResourceGroupManager& groups = Ogre::ResourceGroupManager::getSingleton();
+    for (const char* folder :
+         {LIXEL_MATERIALS_DIR "/scripts", LIXEL_MATERIALS_DIR "/programs/glsl"})
+        groups.addResourceLocation(folder, "FileSystem");
+    groups.addResourceLocation(OGRE_SHADOW_MEDIA, "FileSystem", Ogre::RGN_INTERNAL);
+    groups.initialiseAllResourceGroups();
+}
+
+/// Six cubes before a sun.
+Ogre::SceneManager* makeCubes(Ogre::Root& root, Ogre::RenderWindow& window,
+                              const std::string& managerType = "LixelSceneManager") {
+    Ogre::SceneManager* const manager = root.createSceneManager(managerType);
     Ogre::SceneNode* const world = manager->getRootSceneNode();
     Ogre::Camera* const camera = manager->createCamera("");
     camera->setNearClipDistance(1);
@@ -124,12 +134,7 @@ TEST_P(BatchesEnd, LeaveNothing) {
     LoadedOgre ogre;
     Ogre::Root& root = ogre.root;
     Ogre::RenderWindow* const window = openWindow(root);
-    Ogre::ResourceGroupManager& groups = Ogre::ResourceGroupManager::getSingleton();
-    for (const char* folder :
-         {LIXEL_MATERIALS_DIR "/scripts", LIXEL_MATERIALS_DIR "/programs/glsl"})
-        groups.addResourceLocation(folder, "FileSystem");
-    groups.addResourceLocation(OGRE_SHADOW_MEDIA, "FileSystem", Ogre::RGN_INTERNAL);
-    groups.initialiseAllResourceGroups();
+    readLixelsScripts();
     Ogre::SceneManager* const manager = makeCubes(root, *window);
     for (int frame = 0; frame < 3; ++frame)
         root.renderOneFrame();
@@ -142,6 +147,31 @@ TEST_P(BatchesEnd, LeaveNothing) {
     root.unloadPlugin(LixelPlugin);
     EXPECT_TRUE(root.getSceneManagers().empty());
     EXPECT_EQ(countBatchMaterials(), 0U);
+    root.renderOneFrame();
+}
+
+/// OGRE keeps the programs of scripts, whose class is the plugin's.
+TEST(Unload, ProgramsGoOn) {
+    unsetenv("DISPLAY");
+    ASSERT_EQ(Headless::enable(), "");
+    LoadedOgre ogre;
+    Ogre::Root& root = ogre.root;
+    Ogre::RenderWindow* const window = openWindow(root);
+    readLixelsScripts();
+    makeCubes(root, *window, "DefaultSceneManager");
+    root.renderOneFrame();
+    root.unloadPlugin(LixelPlugin);
+    root.renderOneFrame();
+    // One that was not used so far.
+    const Ogre::MaterialPtr unused =
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Surface/Integrated/Maps6");
+    unused->load();
+    EXPECT_NE(unused->getBestTechnique(), nullptr);
+    root.loadPlugin(LixelPlugin);
+    root.renderOneFrame();
+    Ogre::HighLevelGpuProgramManager::getSingleton().reloadAll();
+    root.renderOneFrame();
+    root.unloadPlugin(LixelPlugin);
     root.renderOneFrame();
 }
 
