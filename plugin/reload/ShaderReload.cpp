@@ -1,5 +1,6 @@
 #include "reload/ShaderReload.h"
 
+#include "material/OnDemandPrograms.h"
 #include "reload/ProgramSettings.h"
 #include "scene/OgreVersions.h"
 
@@ -8,13 +9,12 @@
 namespace Lixel {
 namespace {
 
-/// The programs whose text is a file's and is used: unused ones are read when they are loaded.
-std::vector<Ogre::GpuProgramPtr> loadedFrom(const Ogre::String& group) {
+/// A group's programs whose text is a file's.
+std::vector<Ogre::GpuProgramPtr> programsFrom(const Ogre::String& group) {
     std::vector<Ogre::GpuProgramPtr> programs;
     for (const auto& [handle, resource] : programManager().getResourceIterator()) {
         auto program = std::static_pointer_cast<Ogre::GpuProgram>(resource);
-        if (program->isLoaded() && program->getGroup() == group &&
-            !program->getSourceFile().empty())
+        if (program->getGroup() == group && !program->getSourceFile().empty())
             programs.push_back(std::move(program));
     }
     return programs;
@@ -45,7 +45,12 @@ private:
 
 std::vector<std::string> reloadShaders(const Ogre::String& group) {
     std::vector<std::string> errors;
-    for (const Ogre::GpuProgramPtr& program : loadedFrom(group)) {
+    for (const Ogre::GpuProgramPtr& program : programsFrom(group)) {
+        if (!program->isLoaded()) {
+            // Of those in use by nothing, what was read for their parameters is read again.
+            if (!isCompiled(*program)) program->unload();
+            continue;
+        }
         // A program that fails loses its parameters, and so do the passes that use it. So the new
         // text is tried by another one.
         const Attempt attempt(*program);

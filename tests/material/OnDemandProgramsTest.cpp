@@ -259,5 +259,28 @@ TEST_F(DemandedPrograms, MayBeLoadedWithoutAMaterial) {
     EXPECT_EQ(levelOf("Demand/Half"), 128);
 }
 
+#if LIXEL_UNIFORMS_BY_TEXT
+
+/// What nothing has worn yet is read as it is on disk when something does.
+TEST_F(DemandedPrograms, AreReadAgainBeforeTheyAreUsed) {
+    folder.parse();
+    folder.write("half.frag", "#version 330 core\nuniform float more;\nuniform float red;\n"
+                              "out vec4 fragColour;\nvoid main()\n{\n"
+                              "    fragColour = vec4(red + more, 0.0, 0.0, 1.0);\n}\n");
+    folder.write(
+        "demand.program",
+        program("vertex", "Demand/VP",
+                "source flat.vert\ndefault_params\n{\n"
+                "param_named_auto worldViewProj worldviewproj_matrix\n}\n") +
+            program("fragment", "Demand/HalfFP",
+                    "source half.frag\ndefault_params\n{\nparam_named red float 0.25\n"
+                    "param_named more float 0\n}\n") +
+            program("fragment", "Demand/WrongFP", "source wrong.frag\ndefault_params\n{\n}\n"));
+    EXPECT_EQ(folder.reload(), std::vector<std::string>());
+    EXPECT_EQ(levelOf("Demand/Half"), 64);
+}
+
+#endif
+
 } // namespace
 } // namespace Lixel::Tests
