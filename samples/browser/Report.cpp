@@ -1,5 +1,6 @@
 #include "browser/Report.h"
 
+#include <Lixel/material/OnDemandPrograms.h>
 #include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/MapPlan.h>
 
@@ -16,13 +17,15 @@ namespace {
 
 struct Programs {
     std::size_t known = 0; ///< that scripts have, and that OGRE's shader system has made
-    std::size_t used = 0;  ///< loaded: those of all materials that something wears
+    std::size_t compiled = 0;
+    std::size_t used = 0; ///< loaded: those of all materials that something wears
 };
 
 Programs countPrograms() {
     Programs programs;
     for (const auto& [handle, program] : programManager().getResourceIterator()) {
         ++programs.known;
+        programs.compiled += isCompiled(static_cast<const Ogre::GpuProgram&>(*program)) ? 1 : 0;
         programs.used += program->isLoaded() ? 1 : 0;
     }
     return programs;
@@ -93,6 +96,7 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
             {"maps_skipped", measured.mapsSkipped},
             {"reason", measured.reason},
             {"programs", programs.known},
+            {"programs_compiled", programs.compiled},
             {"programs_used", programs.used},
             {"gl_renderer", stage.glRenderer()},
         };
