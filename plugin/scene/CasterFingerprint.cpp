@@ -46,14 +46,20 @@ bool CasterFingerprint::add(const Ogre::MovableObject& object) {
     mValue.add(std::uint64_t{entity.getRenderQueueGroup()});
     const Ogre::Affine3& transform = entity._getParentNodeFullTransform();
     mValue.add(std::span<const float>(transform[0], 12));
-    for (const Ogre::SubEntity* part : entity.getSubEntities()) {
+    for (Ogre::SubEntity* part : entity.getSubEntities()) {
         const Ogre::MaterialPtr& material = part->getMaterial();
         if (!material || material->getLodValues().size() > 1) return false;
         const Fingerprint* const drawn = find(*material);
         if (drawn == nullptr) return false;
         mValue.add(std::uint64_t{part->isVisible()});
+        // A part's own render queue group may be one that is not drawn.
+        mValue.add(part->isRenderQueueGroupSet() ? std::uint64_t{part->getRenderQueueGroup()} + 1
+                                                 : std::uint64_t{0});
         mValue.add(part->getIndexDataStartIndex());
         mValue.add(part->getIndexDataEndIndex());
+        // When OGRE draws a part of some indices, it leaves these with all that share the mesh.
+        mValue.add(part->getSubMesh()->indexData->indexStart);
+        mValue.add(part->getSubMesh()->indexData->indexCount);
         mValue.add(*drawn);
     }
     return true;

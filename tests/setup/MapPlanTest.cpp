@@ -110,6 +110,9 @@ const std::vector<Change>& changes() {
         {"PartIsHidden",
          [](auto&, BoxOnGround& s) { entityOf(s).getSubEntity(0)->setVisible(false); },
          PlanReason::CastersChanged},
+        {"PartIsInAnotherQueueGroup",
+         [](auto&, BoxOnGround& s) { entityOf(s).getSubEntity(0)->setRenderQueueGroup(60); },
+         PlanReason::CastersChanged},
         {"ListenerOnTheBox",
          [](auto&, BoxOnGround& s) {
              static Ogre::MovableObject::Listener listener;
