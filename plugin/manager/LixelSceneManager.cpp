@@ -3,9 +3,14 @@
 #include "manager/CasterBatches.h"
 #include "manager/LixelSceneNode.h"
 #include "manager/NearestDepth.h"
+#include "setup/MapContent.h"
 #include "setup/MapPlan.h"
 #include "setup/MapProof.h"
+#include "setup/ShadowPass.h"
+#include "setup/StillLayer.h"
 
+#include <OgreRenderQueue.h>
+#include <OgreRenderTarget.h>
 #include <OgreViewport.h>
 
 #include <algorithm>
@@ -13,6 +18,42 @@
 #include <utility>
 
 namespace Lixel {
+namespace {
+
+/// Has what is drawn added to what a viewport shows, while it lives.
+class WithoutClearing {
+public:
+    explicit WithoutClearing(Ogre::Viewport& viewport)
+        : mViewport(viewport), mBuffers(viewport.getClearBuffers()) {
+        mViewport.setClearEveryFrame(false, mBuffers);
+    }
+    ~WithoutClearing() { mViewport.setClearEveryFrame(true, mBuffers); }
+    WithoutClearing(const WithoutClearing&) = delete;
+    WithoutClearing& operator=(const WithoutClearing&) = delete;
+
+private:
+    Ogre::Viewport& mViewport;
+    unsigned mBuffers;
+};
+
+/// Whether a viewport begins with nothing in all of its target.
+bool clearsAll(const Ogre::Viewport& viewport) {
+    const Ogre::RenderTarget& target = *viewport.getTarget();
+    return viewport.getClearEveryFrame() && (viewport.getClearBuffers() & Ogre::FBT_COLOUR) != 0 &&
+           static_cast<unsigned>(viewport.getActualWidth()) == target.getWidth() &&
+           static_cast<unsigned>(viewport.getActualHeight()) == target.getHeight();
+}
+
+void widen(Ogre::VisibleObjectsBoundsInfo& bounds, const Ogre::VisibleObjectsBoundsInfo& other) {
+    bounds.aabb.merge(other.aabb);
+    bounds.receiverAabb.merge(other.receiverAabb);
+    bounds.minDistance = std::min(bounds.minDistance, other.minDistance);
+    bounds.maxDistance = std::max(bounds.maxDistance, other.maxDistance);
+    bounds.minDistanceInFrustum = std::min(bounds.minDistanceInFrustum, other.minDistanceInFrustum);
+    bounds.maxDistanceInFrustum = std::max(bounds.maxDistanceInFrustum, other.maxDistanceInFrustum);
+}
+
+} // namespace
 
 LixelSceneManager::LixelSceneManager(const Ogre::String& name)
     : SceneManager(name),
@@ -58,8 +99,11 @@ void LixelSceneManager::_findVisibleObjects(Ogre::Camera* camera,
                                            mBatches->begin(*this, *camera, *getRenderQueue())
                                        ? mBatches.get()
                                        : nullptr;
-    mVisible.queue(*this, *camera, visibleBounds, onlyShadowCasters, batches);
+    mVisible.queue(*this, *camera, visibleBounds, onlyShadowCasters, batches, mPart);
     if (batches != nullptr) batches->queue();
+    // Materials may ask for the depths of all that is in the map.
+    if (mPart.layer != nullptr && !mPart.isStill && visibleBounds != nullptr)
+        widen(*visibleBounds, mPart.layer->seen());
 }
 
 void LixelSceneManager::_renderScene(Ogre::Camera* camera, Ogre::Viewport* viewport,
@@ -70,17 +114,71 @@ void LixelSceneManager::_renderScene(Ogre::Camera* camera, Ogre::Viewport* viewp
     }
     std::optional<NearestDepth> nearest;
     if (storesDepthAsColour(*this, *viewport->getTarget())) nearest.emplace(*this);
-    SceneManager::_renderScene(camera, viewport, includeOverlays);
-    if (mBatches->takeCount() > 0 && isProofMode())
-        proveBatches(*camera, *viewport, includeOverlays);
+    MapShortcuts shortcuts;
+    shortcuts.layers = nearest && drawLayers(*camera, *viewport, includeOverlays, *nearest);
+    if (!shortcuts.layers) SceneManager::_renderScene(camera, viewport, includeOverlays);
+    shortcuts.batches = mBatches->takeCount() > 0;
+    if (shortcuts.any() && isProofMode()) prove(*camera, *viewport, includeOverlays, shortcuts);
 }
 
-void LixelSceneManager::proveBatches(Ogre::Camera& camera, Ogre::Viewport& viewport,
-                                     bool includeOverlays) {
+/*  1. Draw what stands still into the map, and copy it into the layer; or copy it from there.
+    2. Draw what moves over it. */
+bool LixelSceneManager::drawLayers(Ogre::Camera& camera, Ogre::Viewport& viewport,
+                                   bool includeOverlays, const NearestDepth& nearest) {
+    StillLayer* const layer = layerOf(camera, *viewport.getTarget());
+    if (layer == nullptr) return false;
+    const Ogre::TexturePtr map = mapOf(viewport);
+    if (!map || !clearsAll(viewport) || !drawsQueuesAsOgre(viewport)) {
+        layer->refuse();
+        return false;
+    }
+    if (layer->isFilledFor(camera)) {
+        layer->copyTo(*map);
+    } else {
+        drawPart(camera, viewport, includeOverlays, {layer, true});
+        if (!layer->fill(*map, camera, getVisibleObjectsBoundsInfo(&camera))) {
+            layer->refuse();
+            return false;
+        }
+    }
+    {
+        const WithoutClearing withoutClearing(viewport);
+        drawPart(camera, viewport, includeOverlays, {layer, false});
+    }
+    if (!nearest.dependsOnOrder()) return true;
+    layer->refuse();
+    return false;
+}
+
+void LixelSceneManager::drawPart(Ogre::Camera& camera, Ogre::Viewport& viewport,
+                                 bool includeOverlays, const LayerPart& part) {
+    mPart = part;
+    try {
+        SceneManager::_renderScene(&camera, &viewport, includeOverlays);
+    } catch (...) {
+        mPart = {};
+        throw;
+    }
+    mPart = {};
+}
+
+bool LixelSceneManager::drawsQueuesAsOgre(Ogre::Viewport& viewport) {
+    return mActiveQueuedRenderableVisitor == &mDefaultQueuedRenderableVisitor &&
+           drawsQueuesAsUsual(*this, viewport) &&
+           getRenderQueue()->getRenderableListener() == nullptr;
+}
+
+Ogre::TexturePtr LixelSceneManager::mapOf(const Ogre::Viewport& viewport) {
     const std::vector<ShadowTarget> targets = shadowTargetsOf(*this);
     const auto drawn = std::ranges::find(targets, viewport.getTarget(), &ShadowTarget::target);
-    if (drawn == targets.end()) return;
-    const std::vector<std::uint8_t> batched = readTexels(*drawn->texture);
+    return drawn != targets.end() ? drawn->texture : nullptr;
+}
+
+void LixelSceneManager::prove(Ogre::Camera& camera, Ogre::Viewport& viewport, bool includeOverlays,
+                              const MapShortcuts& shortcuts) {
+    const Ogre::TexturePtr map = mapOf(viewport);
+    if (!map) return;
+    const std::vector<std::uint8_t> before = readTexels(*map);
     mProves = true;
     try {
         SceneManager::_renderScene(&camera, &viewport, includeOverlays);
@@ -89,7 +187,7 @@ void LixelSceneManager::proveBatches(Ogre::Camera& camera, Ogre::Viewport& viewp
         throw;
     }
     mProves = false;
-    proveBatchedMap(*drawn->texture, batched);
+    proveMapDrawnBy(shortcuts, *map, before);
 }
 
 Ogre::SceneManager* LixelSceneManagerFactory::createInstance(const Ogre::String& name) {

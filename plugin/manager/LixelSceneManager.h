@@ -8,6 +8,8 @@
 namespace Lixel {
 
 class CasterBatches;
+struct MapShortcuts;
+class NearestDepth;
 
 /// @addtogroup LixelSceneManager
 /// @{
@@ -33,6 +35,9 @@ class CasterBatches;
     - Casters by Lixel's programs store the nearest depth of each texel, whatever the order in which
       they are drawn. OGRE's depth test compares other numbers than are stored, and decides by the
       order where two casters are equally near.
+    - Where some of a map's casters move, it is drawn in two layers (CommonOptions::movingApart): what
+      stands still once, and what moves in each frame. A scene manager's listeners hear of two
+      searches for a map's casters in a frame that draws both.
 */
 class LIXEL_API LixelSceneManager : public Ogre::SceneManager {
 public:
@@ -64,7 +69,15 @@ public:
                       bool includeOverlays) override;
 
 private:
-    void proveBatches(Ogre::Camera& camera, Ogre::Viewport& viewport, bool includeOverlays);
+    bool drawLayers(Ogre::Camera& camera, Ogre::Viewport& viewport, bool includeOverlays,
+                    const NearestDepth& nearest);
+    void drawPart(Ogre::Camera& camera, Ogre::Viewport& viewport, bool includeOverlays,
+                  const LayerPart& part);
+    void prove(Ogre::Camera& camera, Ogre::Viewport& viewport, bool includeOverlays,
+               const MapShortcuts& shortcuts);
+    /// Null where the viewport is no shadow map's.
+    Ogre::TexturePtr mapOf(const Ogre::Viewport& viewport);
+    bool drawsQueuesAsOgre(Ogre::Viewport& viewport);
 
     Ogre::SceneNode* createSceneNodeImpl() override;
     Ogre::SceneNode* createSceneNodeImpl(const Ogre::String& name) override;
@@ -75,6 +88,8 @@ private:
     bool mUsesBatches = true;
     /// While a map is drawn without them, to be compared.
     bool mProves = false;
+    /// What is drawn now of a map's casters.
+    LayerPart mPart;
 };
 
 /// Makes LixelSceneManager; the plugin registers one.

@@ -1,13 +1,9 @@
 #include "manager/NearestDepth.h"
 
-#include "scene/CasterPass.h"
-#include "scene/OgreVersions.h"
-
 #include <OgrePass.h>
-#include <OgrePixelFormat.h>
 #include <OgreRenderSystem.h>
-#include <OgreRenderTarget.h>
 #include <OgreRoot.h>
+#include <OgreSceneManager.h>
 
 namespace Lixel {
 namespace {
@@ -30,12 +26,6 @@ Ogre::ColourBlendState minimumOf(Ogre::ColourBlendState state) {
 
 } // namespace
 
-bool storesDepthAsColour(Ogre::SceneManager& manager, const Ogre::RenderTarget& target) {
-    const Ogre::PixelFormat format = target.suggestPixelFormat();
-    return !Ogre::PixelUtil::isDepth(format) && !Ogre::PixelUtil::isInteger(format) &&
-           isOwnProgram(casterProgramsOf(manager).fragment);
-}
-
 NearestDepth::NearestDepth(Ogre::SceneManager& manager) : mManager(manager) {
     mManager.addRenderObjectListener(this);
 }
@@ -48,7 +38,10 @@ void NearestDepth::notifyRenderSingleObject(Ogre::Renderable*, const Ogre::Pass*
                                             const Ogre::AutoParamDataSource*,
                                             const Ogre::LightList*,
                                             bool suppressRenderStateChanges) {
-    if (suppressRenderStateChanges || !replaces(pass->getBlendState())) return;
+    if (suppressRenderStateChanges || !replaces(pass->getBlendState())) {
+        mDependsOnOrder = true;
+        return;
+    }
     Ogre::RenderSystem& system = *Ogre::Root::getSingleton().getRenderSystem();
     system.setColourBlendState(minimumOf(pass->getBlendState()));
     system._setDepthBufferParams(false, false, pass->getDepthFunction());

@@ -3,14 +3,10 @@
 #include <OgreRenderObjectListener.h>
 
 namespace Ogre {
-class RenderTarget;
 class SceneManager;
 } // namespace Ogre
 
 namespace Lixel {
-
-/// Whether casters store depths by Lixel's fragment program in this target's colours.
-bool storesDepthAsColour(Ogre::SceneManager& manager, const Ogre::RenderTarget& target);
 
 /** While one lives, each texel gets the nearest of its casters' depths, in whatever order they are
     drawn.
@@ -32,8 +28,12 @@ public:
                                   const Ogre::LightList* lights,
                                   bool suppressRenderStateChanges) override;
 
+    /// Whether something was drawn that is combined in another way, so that the order matters.
+    bool dependsOnOrder() const { return mDependsOnOrder; }
+
 private:
     Ogre::SceneManager& mManager;
+    bool mDependsOnOrder = false;
 };
 
 } // namespace Lixel

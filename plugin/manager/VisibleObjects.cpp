@@ -145,7 +145,7 @@ void VisibleObjects::fetchAhead(std::size_t position) const {
 
 void VisibleObjects::queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
                            Ogre::VisibleObjectsBoundsInfo* bounds, bool onlyShadowCasters,
-                           CasterBatches* batches) {
+                           CasterBatches* batches, const LayerPart& part) {
     Ogre::RenderQueue& queue = *manager.getRenderQueue();
     const bool anyPlain = lodListenersOf(manager).empty();
     Ogre::DebugDrawer* const drawer = manager.getDebugDrawer();
@@ -161,6 +161,7 @@ void VisibleObjects::queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
         const Ogre::SceneNode& node = mStore->node(slot);
         if (!node.isInSceneGraph()) continue;
         Ogre::MovableObject* const only = mStore->onlyObject(slot);
+        if (only != nullptr && !part.has(*only)) continue;
         const std::uint32_t attachment = mStore->attachment(slot);
         PlainEntity& plain = mPlain[slot];
         if (anyPlain && plain.isStill(only, attachment) && hasPlainMaterials(*plain.entity())) {
@@ -168,7 +169,8 @@ void VisibleObjects::queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
                          mStore->sphere(slot));
         } else {
             for (Ogre::MovableObject* object : node.getAttachedObjects())
-                queue.processVisibleObject(object, &camera, onlyShadowCasters, bounds);
+                if (part.has(*object))
+                    queue.processVisibleObject(object, &camera, onlyShadowCasters, bounds);
             plain = PlainEntity(only, attachment);
             // When its materials have no levels any more, OGRE's way sets it back to the finest.
             if (plain.entity() != nullptr && !hasPlainMaterials(*plain.entity()))

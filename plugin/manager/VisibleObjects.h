@@ -2,6 +2,7 @@
 
 #include "scene/NodeStore.h"
 #include "scene/PlainEntity.h"
+#include "setup/StillLayer.h"
 
 #include <vector>
 
@@ -12,6 +13,16 @@ struct VisibleObjectsBoundsInfo;
 namespace Lixel {
 
 class CasterBatches;
+
+/// The objects of a layer, or all others; all objects without a layer.
+struct LayerPart {
+    const StillLayer* layer = nullptr;
+    bool isStill = false;
+
+    bool has(const Ogre::MovableObject& object) const {
+        return layer == nullptr || layer->holds(object) == isStill;
+    }
+};
 
 /** Finds what a camera sees in a store, and queues it as OGRE's default scene manager does.
 
@@ -27,9 +38,10 @@ public:
     /// Queues the objects of the nodes found.
     /// @param bounds are widened by what was queued; may be null
     /// @param batches take what casters they can; null where each is queued by itself
+    /// @param part which of them are queued
     void queue(Ogre::SceneManager& manager, Ogre::Camera& camera,
                Ogre::VisibleObjectsBoundsInfo* bounds, bool onlyShadowCasters,
-               CasterBatches* batches);
+               CasterBatches* batches, const LayerPart& part = {});
 
 private:
     void fetchAhead(std::size_t position) const;

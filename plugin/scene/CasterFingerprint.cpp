@@ -23,46 +23,74 @@ bool isStaticData(const Ogre::VertexData* data) {
 
 } // namespace
 
-void CasterFingerprint::take(const CasterSearch& search) {
+void CasterFingerprint::take(const CasterSearch& search, bool each) {
     mValue = {};
     mUnknown.clear();
     mMaterials.clear();
     mMeshes.clear();
+    mEach.clear();
+    ++mReading;
     if (!search.unboundedName().empty()) mUnknown = search.unboundedName();
     for (const Ogre::MovableObject* object : search.objects()) {
-        if (!mUnknown.empty()) return;
-        if (!add(*object)) mUnknown = object->getName();
+        if (!mUnknown.empty() && !each) return;
+        const std::optional<Fingerprint> value = read(*object);
+        if (value)
+            mValue.add(*value);
+        else if (mUnknown.empty())
+            mUnknown = object->getName();
+        if (each) remember(*object, value);
     }
+    forgetGone();
 }
 
-bool CasterFingerprint::add(const Ogre::MovableObject& object) {
+void CasterFingerprint::remember(const Ogre::MovableObject& object,
+                                 const std::optional<Fingerprint>& value) {
+    Caster& caster = mKnown[&object];
+    const bool isSame = value && caster.read + 1 == mReading && caster.value == value;
+    if (!isSame) {
+        caster.object = &object;
+        caster.value = value;
+        caster.since = mReading;
+    }
+    caster.read = mReading;
+    mEach.push_back(&caster);
+}
+
+void CasterFingerprint::forgetGone() {
+    // Now and then: what has gone may come back, and does no harm meanwhile.
+    if (mKnown.size() <= 2 * mEach.size() + 64) return;
+    std::erase_if(mKnown, [this](const auto& known) { return known.second.read != mReading; });
+}
+
+std::optional<Fingerprint> CasterFingerprint::read(const Ogre::MovableObject& object) {
     const PlainEntity plain(&object, 0);
-    if (plain.entity() == nullptr) return false;
+    if (plain.entity() == nullptr) return std::nullopt;
     const Ogre::Entity& entity = *plain.entity();
-    if (!isStatic(*entity.getMesh())) return false;
-    mValue.add(&entity);
-    mValue.add(entity.getMesh().get());
-    mValue.add(entity.getMesh()->getStateCount());
-    mValue.add(std::uint64_t{entity.getRenderQueueGroup()});
+    if (!isStatic(*entity.getMesh())) return std::nullopt;
+    Fingerprint value;
+    value.add(&entity);
+    value.add(entity.getMesh().get());
+    value.add(entity.getMesh()->getStateCount());
+    value.add(std::uint64_t{entity.getRenderQueueGroup()});
     const Ogre::Affine3& transform = entity._getParentNodeFullTransform();
-    mValue.add(std::span<const float>(transform[0], 12));
+    value.add(std::span<const float>(transform[0], 12));
     for (Ogre::SubEntity* part : entity.getSubEntities()) {
         const Ogre::MaterialPtr& material = part->getMaterial();
-        if (!material || material->getLodValues().size() > 1) return false;
+        if (!material || material->getLodValues().size() > 1) return std::nullopt;
         const Fingerprint* const drawn = find(*material);
-        if (drawn == nullptr) return false;
-        mValue.add(std::uint64_t{part->isVisible()});
+        if (drawn == nullptr) return std::nullopt;
+        value.add(std::uint64_t{part->isVisible()});
         // A part's own render queue group may be one that is not drawn.
-        mValue.add(part->isRenderQueueGroupSet() ? std::uint64_t{part->getRenderQueueGroup()} + 1
-                                                 : std::uint64_t{0});
-        mValue.add(part->getIndexDataStartIndex());
-        mValue.add(part->getIndexDataEndIndex());
+        value.add(part->isRenderQueueGroupSet() ? std::uint64_t{part->getRenderQueueGroup()} + 1
+                                                : std::uint64_t{0});
+        value.add(part->getIndexDataStartIndex());
+        value.add(part->getIndexDataEndIndex());
         // When OGRE draws a part of some indices, it leaves these with all that share the mesh.
-        mValue.add(part->getSubMesh()->indexData->indexStart);
-        mValue.add(part->getSubMesh()->indexData->indexCount);
-        mValue.add(*drawn);
+        value.add(part->getSubMesh()->indexData->indexStart);
+        value.add(part->getSubMesh()->indexData->indexCount);
+        value.add(*drawn);
     }
-    return true;
+    return value;
 }
 
 const Fingerprint* CasterFingerprint::find(const Ogre::Material& material) {

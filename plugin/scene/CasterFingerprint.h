@@ -4,7 +4,11 @@
 #include "scene/Fingerprint.h"
 
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
+#include <unordered_map>
+#include <vector>
 
 namespace Ogre {
 class Entity;
@@ -24,23 +28,51 @@ namespace Lixel {
 */
 class CasterFingerprint {
 public:
-    /// Reads the casters that a search found.
-    void take(const CasterSearch& search);
+    /// One caster, as it was read last.
+    struct Caster {
+        const Ogre::MovableObject* object = nullptr;
+        /// None where it may look different each time.
+        std::optional<Fingerprint> value;
+        /// The reading since which it has been there in each, and the same.
+        unsigned long since = 0;
+        /// The last reading that it was in.
+        unsigned long read = 0;
+    };
+
+    /** Reads the casters that a search found.
+        @param each whether to read each of them and remember it, for each() to tell which ones have
+        changed; otherwise reading ends with the first that may look different each time */
+    void take(const CasterSearch& search, bool each);
 
     /// Of all casters; no use where one of them is unknown.
     const Fingerprint& value() const { return mValue; }
     /// The first caster that may look different each time; empty if there is none.
     const std::string& unknownName() const { return mUnknown; }
 
+    /// Each caster that has bounds, where that was asked for. Valid until the next reading.
+    std::span<const Caster* const> each() const { return mEach; }
+    /// The number of the last reading.
+    unsigned long reading() const { return mReading; }
+    /// Whether a caster was the same in so many readings before the last one, and in that.
+    bool isStill(const Caster& caster, unsigned long readings) const {
+        return caster.value && mReading - caster.since >= readings;
+    }
+
 private:
-    /// @return false where it may look different each time
-    bool add(const Ogre::MovableObject& object);
+    /// @return none where it may look different each time
+    std::optional<Fingerprint> read(const Ogre::MovableObject& object);
+    void remember(const Ogre::MovableObject& object, const std::optional<Fingerprint>& value);
+    void forgetGone();
     /// Null where what it draws may be different each time.
     const Fingerprint* find(const Ogre::Material& material);
     bool isStatic(const Ogre::Mesh& mesh);
 
     Fingerprint mValue;
     std::string mUnknown;
+    unsigned long mReading = 0;
+    /// By address: another object at the same one is another caster unless it looks the same.
+    std::unordered_map<const Ogre::MovableObject*, Caster> mKnown;
+    std::vector<const Caster*> mEach;
     // What many casters share, read once for all of them.
     struct Known {
         bool still = false;

@@ -27,6 +27,10 @@ constexpr std::array DeclaredCommon{
     option<&CommonOptions::reuseMaps>(
         "reuse_maps", "whether a map is kept while it shows just what it would show if it were "
                       "drawn again"),
+    option<&CommonOptions::movingApart>(
+        "moving_apart",
+        "whether under LixelSceneManager what stands still of a map's casters is "
+        "kept in a second texture, and only what moves is drawn, over a copy of it"),
     option<&CommonOptions::lastingMaps>("lasting_maps", between(0.0, 1.0), "share",
                                         "how much coarser a map's texels may become before it is "
                                         "fitted anew while the viewer moves; "

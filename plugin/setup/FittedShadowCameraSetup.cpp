@@ -14,6 +14,7 @@
 #include "setup/ShadowCameraPlacement.h"
 #include "setup/ShadowMapObserver.h"
 #include "setup/ShadowPass.h"
+#include "setup/StillLayer.h"
 
 #include <OgreCamera.h>
 #include <OgreGpuProgramManager.h>
@@ -324,6 +325,38 @@ bool FittedShadowCameraSetup::postpones(const Request& request, const ShadowProb
     return false;
 }
 
+StillLayer* FittedShadowCameraSetup::planLayer(const Request& request, const ShadowTarget& target,
+                                               PlannedMap& planned, LightMemory& memory,
+                                               const LastingMap* lasting) const {
+    std::unique_ptr<StillLayer>& layer = memory.layers.at(request.iteration);
+    MapDecision& decision = planned.decision;
+    const bool isForCasters =
+        decision.plan == MapPlan::Draw && (decision.reason == PlanReason::CastersChanged ||
+                                           decision.reason == PlanReason::RestlessCaster);
+    if (!mCommon.movingApart || !canDrawInLayers(*request.shadowCamera.getSceneManager(), target)) {
+        layer.reset();
+        return nullptr;
+    }
+    if (!isForCasters) {
+        if (layer) layer->rest();
+        return nullptr;
+    }
+    if (!layer) layer = std::make_unique<StillLayer>();
+    // As they were read for these reasons.
+    const CasterFingerprint& casters =
+        lasting != nullptr ? lasting->fingerprint : memory.fingerprint;
+    switch (layer->plan(casters, memory.volumes.at(request.iteration), *planned.content)) {
+    case MapDrawing::Whole:
+        return nullptr;
+    case MapDrawing::Fill:
+        break;
+    case MapDrawing::Moving:
+        decision.plan = MapPlan::DrawMoving;
+        break;
+    }
+    return layer.get();
+}
+
 MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowProblem& problem,
                                           const Survey& survey, const ShadowTarget& target,
                                           LightMemory& memory, LastingMap* lasting,
@@ -332,19 +365,21 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowPr
         if (mapBudget().isLimited())
             mapQueue().rest({&memory, request.iteration},
                             Ogre::Root::getSingleton().getNextFrameNumber(), mapBudget());
+        if (StillLayer* const layer = memory.layers.at(request.iteration).get()) layer->rest();
         skipShadowPass(request.shadowCamera, target);
         return {MapPlan::Skip, PlanReason::NothingShadowed, {}};
     }
     CasterVolume& volume = memory.volumes.at(request.iteration);
     volume.set(shown.fit, shown.wsOrigin);
+    const bool readsEach = mCommon.movingApart && drawsLayers(survey.rules().sceneManager());
     const auto readCasters = [&]() -> const CasterFingerprint& {
         if (lasting != nullptr) {
             // It was drawn for a region of its own, and other casters reach into that.
             lasting->search.findIn(survey, volume.volume());
-            lasting->fingerprint.take(lasting->search);
+            lasting->fingerprint.take(lasting->search, readsEach);
             return lasting->fingerprint;
         }
-        if (!memory.hasFingerprint) memory.fingerprint.take(memory.search);
+        if (!memory.hasFingerprint) memory.fingerprint.take(memory.search, readsEach);
         memory.hasFingerprint = true;
         return memory.fingerprint;
     };
@@ -352,6 +387,7 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowPr
                              ? planMap(request.shadowCamera, request.viewport, shown.fit, target,
                                        lasting != nullptr, readCasters)
                              : PlannedMap{{MapPlan::Draw, PlanReason::Forbidden, {}}, {}};
+    StillLayer* const layer = planLayer(request, target, planned, memory, lasting);
     if (postpones(request, problem, target, planned, memory, shown)) {
         shown = memory.drawn.at(request.iteration)->shown;
         placeShadowCamera(request.shadowCamera, shown.fit, shown.wsOrigin);
@@ -360,7 +396,7 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowPr
         return {MapPlan::Reuse, PlanReason::Postponed, {}};
     }
     if (planned.decision.plan != MapPlan::Reuse)
-        armShadowPass(request.shadowCamera, volume, planned.content);
+        armShadowPass(request.shadowCamera, volume, planned.content, layer);
     else if (isProofMode())
         proveShadowPass(request.shadowCamera, volume, *planned.content, target);
     else

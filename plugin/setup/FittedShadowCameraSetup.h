@@ -29,6 +29,7 @@ struct PlannedMap;
 class SetupMemory;
 struct ShadowTarget;
 struct ShownMap;
+class StillLayer;
 class Survey;
 
 /// Options of all of Lixel's setups.
@@ -57,6 +58,14 @@ struct CommonOptions {
         such as skeletons, particles and what has holes, have it drawn.
         @see redrawShadowMaps */
     bool reuseMaps = true;
+    /** Whether what stands still of a map's casters is kept in a texture of its own, of the map's size
+        and format, where some of them move and the map itself stands still: then only what moves is
+        drawn, over a copy of that. Each texel is that of a map drawn at once. Under LixelSceneManager,
+        for maps that hold Lixel's depths as colours, without multisampling, and with reuseMaps alone.
+        Drawn at once is what has no share in it: where too few casters stand still for their number
+        and the map's size, where a caster blends with others, and where an application listens to
+        render queues or single draws, or draws queues in ways of its own. */
+    bool movingApart = true;
     /** For how long a map may be kept although the viewer moves, as the share by which its texels may
         be coarser than those of a map fitted in each frame; 0: none is kept.
 
@@ -134,6 +143,10 @@ public:
     /// @see CommonOptions::reuseMaps
     void setReuseMaps(bool reuse) { mCommon.reuseMaps = reuse; }
     bool getReuseMaps() const { return mCommon.reuseMaps; }
+
+    /// @see CommonOptions::movingApart
+    void setMovingApart(bool apart) { mCommon.movingApart = apart; }
+    bool getMovingApart() const { return mCommon.movingApart; }
 
     /// @see CommonOptions::lastingMaps
     /// @throws Ogre::InvalidParametersException unless 0 <= share <= 1.
@@ -220,6 +233,10 @@ private:
     MapDecision draw(const Request& request, const ShadowProblem& problem, const Survey& survey,
                      const ShadowTarget& target, LightMemory& memory, LastingMap* lasting,
                      ShownMap& shown) const;
+    /// Plans a map that may be drawn in layers, and has to be drawn for its casters.
+    /// @return its layer where it is drawn in layers
+    StillLayer* planLayer(const Request& request, const ShadowTarget& target, PlannedMap& planned,
+                          LightMemory& memory, const LastingMap* lasting) const;
     /// Whether the budget has a map that ought to be drawn kept as it was drawn before.
     bool postpones(const Request& request, const ShadowProblem& problem, const ShadowTarget& target,
                    const PlannedMap& planned, LightMemory& memory, const ShownMap& wanted) const;

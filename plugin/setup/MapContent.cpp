@@ -5,6 +5,7 @@
 #include "scene/OgreVersions.h"
 
 #include <OgreCamera.h>
+#include <OgrePixelFormat.h>
 #include <OgreRenderObjectListener.h>
 #include <OgreRenderQueueListener.h>
 
@@ -84,6 +85,12 @@ bool hasKnownCasterMaterial(Ogre::SceneManager& manager) {
     return pass == nullptr ||
            ((!pass->hasVertexProgram() || isOwnProgram(pass->getVertexProgramName())) &&
             (!pass->hasFragmentProgram() || isOwnProgram(pass->getFragmentProgramName())));
+}
+
+bool storesDepthAsColour(Ogre::SceneManager& manager, const Ogre::RenderTarget& target) {
+    const Ogre::PixelFormat format = target.suggestPixelFormat();
+    return !Ogre::PixelUtil::isDepth(format) && !Ogre::PixelUtil::isInteger(format) &&
+           isOwnProgram(casterProgramsOf(manager).fragment);
 }
 
 bool hasForeignListener(const Ogre::SceneManager& manager) {

@@ -9,6 +9,7 @@
 
 namespace Ogre {
 class Camera;
+class RenderTarget;
 class SceneManager;
 class Viewport;
 } // namespace Ogre
@@ -42,6 +43,9 @@ Fingerprint settingsOf(Ogre::SceneManager& manager, const Ogre::Camera& shadowCa
 
 /// Whether casters are drawn in a caster material that is known to draw them alike each time.
 bool hasKnownCasterMaterial(Ogre::SceneManager& manager);
+
+/// Whether casters store depths by Lixel's fragment program in this target's colours.
+bool storesDepthAsColour(Ogre::SceneManager& manager, const Ogre::RenderTarget& target);
 
 /// Whether an application's listener takes part in what is drawn.
 bool hasForeignListener(const Ogre::SceneManager& manager);

@@ -8,6 +8,8 @@ std::string_view toString(MapPlan plan) {
     switch (plan) {
     case MapPlan::Draw:
         return "draw";
+    case MapPlan::DrawMoving:
+        return "draw what moves";
     case MapPlan::Reuse:
         return "reuse";
     case MapPlan::Skip:

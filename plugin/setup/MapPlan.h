@@ -12,9 +12,10 @@ namespace Lixel {
 
 /// What is done with a shadow map in one frame.
 enum class MapPlan {
-    Draw,  ///< its casters are drawn
-    Reuse, ///< its texture shows just that already, and is kept
-    Skip,  ///< nothing in view is shadowed: its texture is empty
+    Draw,       ///< its casters are drawn
+    DrawMoving, ///< those that move are drawn, over a copy of what stands still
+    Reuse,      ///< its texture shows just that already, and is kept
+    Skip,       ///< nothing in view is shadowed: its texture is empty
 };
 
 /// Why.
@@ -52,9 +53,10 @@ LIXEL_API std::string_view toString(PlanReason reason);
 LIXEL_API void redrawShadowMaps();
 
 /** Proof mode: maps that would be reused or skipped are drawn nevertheless, and compared with what
-    their textures held, bit for bit. Maps whose casters LixelSceneManager draws in batches are
-    drawn once more, with each caster by itself, and compared. Each difference is a line in the log.
-    It is slow; off at first. Decisions are published as they are without it.
+    their textures held, bit for bit. Maps whose casters LixelSceneManager draws in batches, or in
+    two layers (what stands still, and what moves), are drawn once more, at once and with each caster
+    by itself, and compared. Each difference is a line in the log. It is slow; off at first.
+    Decisions are published as they are without it.
     @param wait called before a texture is read, where the driver does not wait by itself until what
     was drawn is there: `glFinish`, with Mesa's software renderers
 */
@@ -67,6 +69,8 @@ struct ProofCount {
     std::size_t maps = 0;
     /// Drawn in batches, and drawn again without.
     std::size_t batched = 0;
+    /// Drawn in layers, and drawn again at once.
+    std::size_t layered = 0;
     /// With a texel that differs.
     std::size_t different = 0;
 };

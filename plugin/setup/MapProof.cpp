@@ -62,9 +62,14 @@ void proveMap(const Ogre::Texture& texture, const std::vector<std::uint8_t>& kep
     compare(texture, kept, "would have been kept", "anew");
 }
 
-void proveBatchedMap(const Ogre::Texture& texture, const std::vector<std::uint8_t>& batched) {
-    ++counted.batched;
-    compare(texture, batched, "was drawn with casters in batches", "with each by itself");
+void proveMapDrawnBy(const MapShortcuts& shortcuts, const Ogre::Texture& texture,
+                     const std::vector<std::uint8_t>& before) {
+    counted.batched += shortcuts.batches ? 1U : 0U;
+    counted.layered += shortcuts.layers ? 1U : 0U;
+    if (shortcuts.layers)
+        compare(texture, before, "was drawn in layers", "at once, with each caster by itself");
+    else
+        compare(texture, before, "was drawn with casters in batches", "with each by itself");
 }
 
 } // namespace Lixel

@@ -10,6 +10,7 @@
 #include "setup/DrawnMap.h"
 #include "setup/LastingMap.h"
 #include "setup/LightNews.h"
+#include "setup/StillLayer.h"
 
 #include <array>
 #include <map>
@@ -33,6 +34,8 @@ struct LightMemory {
     std::array<std::unique_ptr<LastingMap>, LightPartition::Capacity> lasting;
     /// Null without a budget.
     std::array<std::unique_ptr<DrawnMap>, LightPartition::Capacity> drawn;
+    /// Null until a map is drawn that may have layers.
+    std::array<std::unique_ptr<StillLayer>, LightPartition::Capacity> layers;
     unsigned long lastFrame = 0;
 
     // Valid for one preparation of shadow textures: set for the light's first map.

@@ -24,8 +24,8 @@ namespace {
 class ShadowPassListener : public Ogre::RenderTargetListener, public Ogre::Camera::Listener {
 public:
     /// @param volume the camera's culling frustum from now on, or null to leave it as it is
-    void arm(Ogre::Camera& camera, Ogre::Frustum* volume,
-             const std::optional<MapContent>& content) {
+    void arm(Ogre::Camera& camera, Ogre::Frustum* volume, const std::optional<MapContent>& content,
+             StillLayer* layer = nullptr) {
         Ogre::RenderTarget* const target = camera.getViewport()->getTarget();
         // Only the first call saves the culling frustum, which is restored after the pass.
         Armed& armed =
@@ -33,6 +33,7 @@ public:
         if (volume != nullptr) {
             armed.volume = volume;
             armed.content = content;
+            armed.layer = layer;
             camera.setCullingFrustum(volume);
         }
         target->addListener(this); // once, however often it is called
@@ -46,6 +47,7 @@ public:
                 if (armed.volume == &volume) {
                     camera->setCullingFrustum(armed.before);
                     armed.volume = nullptr;
+                    armed.layer = nullptr; // of the same setup's memory
                 }
     }
 
@@ -72,12 +74,24 @@ public:
                    : nullptr;
     }
 
+    StillLayer* layerOf(const Ogre::Camera& camera, const Ogre::RenderTarget& target) const {
+        const auto armed = mArmed.find(&target);
+        // Cameras that share a target are drawn together.
+        if (armed == mArmed.end() || armed->second.size() != 1) return nullptr;
+        const auto& [drawn, state] = *armed->second.begin();
+        return drawn == &camera ? state.layer : nullptr;
+    }
+
     double drawingTimeOf(const Ogre::RenderTarget* target) const {
         const auto known = mMilliseconds.find(target->getName());
         return known != mMilliseconds.end() ? known->second : 0.0;
     }
 
-    void forgetContents() { mContents.clear(); }
+    void forgetContents() {
+        mContents.clear();
+        ++mGeneration;
+    }
+    unsigned long generation() const { return mGeneration; }
 
     void forget() {
         Ogre::RenderSystem* const system = Ogre::Root::getSingleton().getRenderSystem();
@@ -152,13 +166,15 @@ private:
         Ogre::Frustum* before;             ///< the culling frustum that comes back
         Ogre::Frustum* volume = nullptr;   ///< what it is meanwhile
         std::optional<MapContent> content; ///< what the target shows afterwards
+        StillLayer* layer = nullptr;       ///< in which it is drawn
         Ogre::TexturePtr proof;            ///< to be compared with what it held before
         std::vector<std::uint8_t> kept;
     };
     /// Cameras that will draw into a target. Several may share one since OGRE 14, which also gives
     /// each a culling frustum of its own and expects it to stay.
-    std::map<Ogre::RenderTarget*, std::map<Ogre::Camera*, Armed>> mArmed;
+    std::map<const Ogre::RenderTarget*, std::map<Ogre::Camera*, Armed>> mArmed;
     std::map<const Ogre::RenderTarget*, MapContent> mContents;
+    unsigned long mGeneration = 0;
     /// When the target that is being drawn was begun, and how long each one took, by
     /// its name, which a texture that is made anew has again.
     Clock::time_point mBegin;
@@ -185,8 +201,8 @@ void forgetShadowPasses() {
 }
 
 void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
-                   const std::optional<MapContent>& content) {
-    listener().arm(shadowCamera, &cullingFrustum, content);
+                   const std::optional<MapContent>& content, StillLayer* layer) {
+    listener().arm(shadowCamera, &cullingFrustum, content, layer);
 }
 
 void proveShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
@@ -240,12 +256,20 @@ const MapContent* contentOf(const ShadowTarget& target) {
     return listener().contentOf(target);
 }
 
+StillLayer* layerOf(const Ogre::Camera& shadowCamera, const Ogre::RenderTarget& target) {
+    return listener().layerOf(shadowCamera, target);
+}
+
 double drawingTimeOf(const ShadowTarget& target) {
     return listener().drawingTimeOf(target.target);
 }
 
 void forgetContents() {
     listener().forgetContents();
+}
+
+unsigned long contentGeneration() {
+    return listener().generation();
 }
 
 } // namespace Lixel

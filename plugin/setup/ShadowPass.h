@@ -9,12 +9,14 @@
 namespace Ogre {
 class Camera;
 class Frustum;
+class RenderTarget;
 class SceneManager;
 } // namespace Ogre
 
 namespace Lixel {
 
 struct ShadowTarget;
+class StillLayer;
 
 /** Prepares the next drawing of a shadow camera's texture, and undoes it right afterwards.
 
@@ -26,8 +28,9 @@ struct ShadowTarget;
 /// Casters nearer than the near plane are clamped onto it instead of clipped, where the render
 /// system can; and until after the pass another frustum decides what the camera draws.
 /// @param content what its texture shows afterwards, if it is worth knowing
+/// @param layer in which it is drawn, planned for this; null where it is drawn at once
 void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
-                   const std::optional<MapContent>& content);
+                   const std::optional<MapContent>& content, StillLayer* layer = nullptr);
 
 /// The same for a map that could have been kept: it is compared with what was kept.
 void proveShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
@@ -52,12 +55,17 @@ void keepShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);
 /// into it since.
 const MapContent* contentOf(const ShadowTarget& target);
 
+/// The layer in which a shadow camera's map is to be drawn now. Null where it is drawn at once.
+StillLayer* layerOf(const Ogre::Camera& shadowCamera, const Ogre::RenderTarget& target);
+
 /// How long the texture's last drawing took, in milliseconds of this thread; 0 where it was not drawn
 /// by a setup of Lixel's.
 double drawingTimeOf(const ShadowTarget& target);
 
-/// No texture's content is known any more.
+/// No texture's content is known any more, layers' included.
 void forgetContents();
+/// How often they were forgotten.
+unsigned long contentGeneration();
 
 /// Leaves nothing behind in render targets.
 void forgetShadowPasses();

@@ -61,8 +61,10 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
 
     if (options.proof) {
         const ProofCount proof = proofCount();
-        fmt::print("proof: {} maps that could be kept were drawn and compared, {} were different\n",
-                   proof.maps, proof.different);
+        fmt::print(
+            "proof: {} maps that could be kept and {} in layers were drawn anew and compared, "
+            "{} were different\n",
+            proof.maps, proof.layered, proof.different);
     }
     const std::string setup = options.setup.empty() ? stage.preset() : options.setup;
     if (!options.output.empty())
@@ -92,6 +94,7 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
             {"frame_ms", measured.frameMilliseconds},
             {"still_frame_ms", measured.stillFrameMilliseconds},
             {"maps_drawn", measured.mapsDrawn},
+            {"maps_drawn_moving", measured.mapsDrawnMoving},
             {"maps_reused", measured.mapsReused},
             {"maps_skipped", measured.mapsSkipped},
             {"reason", measured.reason},

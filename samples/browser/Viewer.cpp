@@ -211,6 +211,7 @@ private:
         mNextTitle = now + TitleInterval;
         std::string text = fmt::format("maps: {} drawn, {} kept, {} empty", mPlans.drawn,
                                        mPlans.reused, mPlans.skipped);
+        if (mPlans.moving > 0) text += fmt::format(", {} of them what moves alone", mPlans.moving);
         if (mPlans.postponed > 0) text += fmt::format(", {} of them waiting", mPlans.postponed);
         if (!mPlans.reason.empty()) text += " (" + mPlans.reason + ")";
         if (text == mPlanText) return;

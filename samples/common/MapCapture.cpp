@@ -116,7 +116,9 @@ void MapCapture::shadowMapFitted(const ShadowMap& map) {
     if (mDraws == Draws::Nothing) setDrawing(false);
     if (&map.light != &mStage.light() || map.iteration >= mFrame.maps.size()) return;
     if (mReason == FitReason::None) mReason = map.fit.reason;
-    mFrame.mapsDrawn += map.decision.plan == MapPlan::Draw ? 1 : 0;
+    const bool isDrawn =
+        map.decision.plan == MapPlan::Draw || map.decision.plan == MapPlan::DrawMoving;
+    mFrame.mapsDrawn += isDrawn ? 1 : 0;
     EmulatedMap& emulated = mFrame.maps[map.iteration];
     emulated.width = map.width;
     emulated.height = map.height;

@@ -38,6 +38,7 @@ Measurement measureFrames(Stage& stage, int frames) {
     Measurement result;
     result.stillFrameMilliseconds = median(still);
     result.mapsDrawn = plans.drawn;
+    result.mapsDrawnMoving = plans.moving;
     result.mapsReused = plans.reused;
     result.mapsSkipped = plans.skipped;
     result.surveyMicroseconds = median(survey);

@@ -19,6 +19,7 @@ struct Measurement {
     double stillFrameMilliseconds = 0.0;
     // What is done with the maps of such a frame.
     std::size_t mapsDrawn = 0;
+    std::size_t mapsDrawnMoving = 0; ///< of those: what moves, over a copy of what stands still
     std::size_t mapsReused = 0;
     std::size_t mapsSkipped = 0;
     std::string reason; ///< what kept the fit from its ideal, "none" where nothing did

@@ -15,6 +15,9 @@ public:
 
     void shadowMapFitted(const ShadowMap& map) override {
         switch (map.decision.plan) {
+        case MapPlan::DrawMoving:
+            ++moving;
+            [[fallthrough]];
         case MapPlan::Draw:
             ++drawn;
             reason = toString(map.decision.reason);
@@ -30,11 +33,13 @@ public:
         }
     }
     void clear() {
-        drawn = reused = skipped = postponed = 0;
+        drawn = moving = reused = skipped = postponed = 0;
         reason.clear();
     }
 
     std::size_t drawn = 0;
+    /// The drawn ones that were drawn over a copy of what stands still.
+    std::size_t moving = 0;
     std::size_t reused = 0;
     std::size_t skipped = 0;
     /// Of the reused ones, those that would be drawn without a budget.

@@ -36,8 +36,8 @@ for setup in $(sed -n '/^Setups:/,$s/^  //p' list); do
         --light 170,30 --view 2 --output "$setup.png" --stats "$setup.json" >/dev/null
     [ -s "$setup.png" ] || fail "no picture with $setup"
     for key in sample setup map width height error_percent acne_percent leak_percent survey_us \
-        fit_us caster_ms receiver_ms frame_ms still_frame_ms maps_drawn maps_reused maps_skipped \
-        reason programs programs_compiled programs_used gl_renderer; do
+        fit_us caster_ms receiver_ms frame_ms still_frame_ms maps_drawn maps_drawn_moving maps_reused \
+        maps_skipped reason programs programs_compiled programs_used gl_renderer; do
         grep -q "\"$key\": " "$setup.json" || fail "no $key in the statistics of $setup"
     done
 done

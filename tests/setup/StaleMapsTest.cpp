@@ -44,12 +44,24 @@ public:
         mBoxes.push_back(mStage.box);
         for (int i = 0; i < 5; ++i)
             addBox(random);
+        mMover = mStage.addCube(Ogre::Vector3(1, 4, 0), Ogre::Vector3(0.7F));
         makeMaterials();
+    }
+
+    /// What moves by itself, whatever else is done, moves.
+    void move() {
+        if (!mMoves) return;
+        mMovedRight = !mMovedRight;
+        mMover->translate(mMovedRight ? 0.3F : -0.3F, 0, 0);
+    }
+    /// A map that stands still whatever moves.
+    void useStableMap() {
+        mStage.stage.setShadowSetup(UniformShadowCameraSetup::create({.stable = true}));
     }
 
     /// One change. @return what was done
     std::string change(Random& random) {
-        switch (random.below(20)) {
+        switch (random.below(21)) {
         case 0:
         case 1:
             any(random).translate(place(random) / 8);
@@ -98,6 +110,9 @@ public:
             return changeManager(random);
         case 18:
             return changeSetup(random);
+        case 19:
+            mMoves = random.oneIn(2);
+            return mMoves ? "something moves" : "nothing moves by itself";
         default:
             return "nothing";
         }
@@ -269,6 +284,10 @@ private:
             mStage.stage.setShadowSetup(Samples::findShadowSetup(setup)->create());
             return "setup " + setup;
         }
+        if (random.oneIn(2)) {
+            useStableMap();
+            return "a stable map";
+        }
         const auto lasting = XPSMShadowCameraSetup::create();
         lasting->setLastingMaps(0.2F);
         mStage.stage.setShadowSetup(lasting);
@@ -277,6 +296,9 @@ private:
 
     BoxOnGround mStage;
     std::vector<Ogre::SceneNode*> mBoxes;
+    Ogre::SceneNode* mMover;
+    bool mMoves = true;
+    bool mMovedRight = false;
     Ogre::Light* mLamp;
     Ogre::Camera* mSecond;
 };
@@ -296,6 +318,7 @@ struct ChangesEnd {
     std::string found;
     std::vector<std::string> deeds;
     std::size_t kept = 0;
+    std::size_t layered = 0;  ///< maps drawn over a copy of what stands still
     std::size_t compared = 0; ///< pictures
 };
 
@@ -306,24 +329,30 @@ public:
     ~KeptMaps() override { removeShadowMapObserver(*this); }
     void shadowMapFitted(const ShadowMap& map) override {
         count += map.decision.plan == MapPlan::Reuse ? 1U : 0U;
+        layered += map.decision.plan == MapPlan::DrawMoving ? 1U : 0U;
         fits.push_back(map.fit.clipFromWorld);
     }
     std::size_t count = 0;
+    std::size_t layered = 0;
     std::vector<Mat4> fits;
 };
 
 void walk(const Changes& changes, ChangesEnd& end) {
     ChangingScene scene(changes.managerType);
     KeptMaps kept;
+    if (changes.seed % 2 == 1) scene.useStableMap();
     if (changes.proves) setProofMode(true, [&scene] { scene.stage().finish(); });
     for (const std::size_t step : changes.steps) {
         Random random(changes.seed * 0x2545F4914F6CDD1DULL + step);
         end.deeds.push_back(std::to_string(step) + ": " + scene.change(random));
-        const std::vector<std::uint8_t> picture = scene.picture();
-        // Several frames without a change, so that there is something to keep.
-        for (std::size_t still = random.below(6); still > 0; --still)
+        scene.picture();
+        // Several frames without a change, so that there is something to keep; and as many as it takes
+        // until what stands still is known to.
+        for (std::size_t still = random.oneIn(5) ? 16 : random.below(6); still > 0; --still) {
+            scene.move();
             scene.picture();
-        if (changes.proves && proofCount().different > 0) end.found = "a kept map is stale";
+        }
+        if (changes.proves && proofCount().different > 0) end.found = "a map is stale";
         if (!changes.proves && random.oneIn(2)) {
             kept.fits.clear();
             const std::vector<std::uint8_t> last = scene.picture();
@@ -338,6 +367,7 @@ void walk(const Changes& changes, ChangesEnd& end) {
         if (!end.found.empty()) break;
     }
     end.kept = kept.count;
+    end.layered = kept.layered;
 }
 
 ChangesEnd go(const Changes& changes) {
@@ -375,6 +405,7 @@ protected:
     void expectNone(bool proves) {
         constexpr std::size_t Steps = 50;
         std::size_t kept = 0;
+        std::size_t layered = 0;
         std::size_t compared = 0;
         for (std::uint64_t seed = 1; seed <= walksOfATest(); ++seed) {
             Changes changes{GetParam(), seed, proves, std::vector<std::size_t>(Steps)};
@@ -382,12 +413,18 @@ protected:
             const ChangesEnd end = go(changes);
             ASSERT_EQ(end.found, "") << story(changes);
             kept += end.kept;
+            layered += end.layered;
             compared += end.compared;
         }
         if (!proves) {
             EXPECT_GT(compared, 10 * walksOfATest());
         }
         EXPECT_GT(kept, 25 * walksOfATest());
+        if (GetParam() == "LixelSceneManager") {
+            EXPECT_GT(layered, 5 * walksOfATest());
+        } else {
+            EXPECT_EQ(layered, 0U);
+        }
     }
 };
 
