@@ -59,6 +59,7 @@ void BenchWatch::shadowMapFitted(const ShadowMap& map) {
 }
 
 void BenchWatch::preRenderTargetUpdate(const Ogre::RenderTargetEvent&) {
+    mTimes.untilMap = microsecondsSince(mFrameBegin);
     finishIfAsked();
     mMapBegin = Clock::now();
 }

@@ -19,6 +19,7 @@ struct BenchTimes {
     double fit = 0;
     double find = 0;
     double findMap = 0;
+    double untilMap = 0; ///< until the last map was begun: its survey, casters, fit and plan
     double map = 0;
     double mapCalls = 0; ///< the same, until the last call was made
 };

@@ -7,6 +7,7 @@
 // batches. "main thread" is the time until the last draw call of the pass is made, and "pass" that
 // until all is drawn (`glFinish`). All ways of drawing take turns of a few frames each, and times
 // are medians of wall clock.
+#include "BenchMaterials.h"
 #include "BenchWatch.h"
 #include "WriteJson.h"
 
@@ -19,7 +20,6 @@
 #include <fmt/core.h>
 
 #include <OgreFrameListener.h>
-#include <OgreMaterialManager.h>
 #include <OgreShadowCameraSetupLiSPSM.h>
 
 #include <algorithm>
@@ -32,7 +32,6 @@ namespace {
 
 constexpr int FramesATurn = 4;
 constexpr int UncountedFrames = 2;
-constexpr const char* MaterialGroup = "Lixel";
 
 struct CastersOptions {
     std::vector<std::size_t> objects{1000, 10000};
@@ -55,8 +54,7 @@ struct CastersRow {
 struct CastersScene {
     CastersScene(HeadlessOgre& ogre, const std::string& manager, std::size_t objects)
         : scene(ogre, manager, objects), watch(scene) {
-        scene.manager().setShadowTextureCasterMaterial(
-            Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster", MaterialGroup));
+        scene.manager().setShadowTextureCasterMaterial(benchCaster());
         scene.setDrawing(true);
     }
 
@@ -69,15 +67,6 @@ struct CastersContender {
     Ogre::ShadowCameraSetupPtr setup;
     CastersRow row;
 };
-
-void loadCasterMaterials() {
-    Ogre::ResourceGroupManager& groups = Ogre::ResourceGroupManager::getSingleton();
-    groups.createResourceGroup(MaterialGroup);
-    for (const char* folder : {"/scripts", "/programs/glsl"})
-        groups.addResourceLocation(std::string(LIXEL_MATERIALS_DIR) + folder, "FileSystem",
-                                   MaterialGroup);
-    groups.initialiseResourceGroup(MaterialGroup);
-}
 
 BenchTimes drawCasters(Ogre::Root& root, CastersScene& scene, int frame) {
     scene.scene.turn(frame);
@@ -152,7 +141,6 @@ void printCasters(const std::vector<CastersRow>& rows) {
 void runCasters(const CastersOptions& options) {
     HeadlessOgre ogre;
     ShadowParameters parameters;
-    loadCasterMaterials();
     nlohmann::json json{{"frames", options.frames}, {"rows", nlohmann::json::array()}};
     for (const std::size_t objects : options.objects) {
         const std::vector<CastersRow> rows = measureCasters(ogre, objects, options.frames);
