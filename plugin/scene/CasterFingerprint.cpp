@@ -10,6 +10,7 @@
 #include <OgreTechnique.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Lixel {
 namespace {
@@ -28,6 +29,7 @@ void CasterFingerprint::take(const CasterSearch& search, bool each) {
     mUnknown.clear();
     mMaterials.clear();
     mMeshes.clear();
+    std::swap(mEach, mBefore);
     mEach.clear();
     ++mReading;
     if (!search.unboundedName().empty()) mUnknown = search.unboundedName();
@@ -45,7 +47,9 @@ void CasterFingerprint::take(const CasterSearch& search, bool each) {
 
 void CasterFingerprint::remember(const Ogre::MovableObject& object,
                                  const std::optional<Fingerprint>& value) {
-    Caster& caster = mKnown[&object];
+    const std::size_t place = mEach.size();
+    const bool isInPlace = place < mBefore.size() && mBefore[place]->object == &object;
+    Caster& caster = isInPlace ? *mBefore[place] : mKnown[&object];
     const bool isSame = value && caster.read + 1 == mReading && caster.value == value;
     if (!isSame) {
         caster.object = &object;

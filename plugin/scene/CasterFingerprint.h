@@ -50,7 +50,7 @@ public:
     const std::string& unknownName() const { return mUnknown; }
 
     /// Each caster that has bounds, where that was asked for. Valid until the next reading.
-    std::span<const Caster* const> each() const { return mEach; }
+    std::span<const Caster* const> each() const { return {mEach.data(), mEach.size()}; }
     /// The number of the last reading.
     unsigned long reading() const { return mReading; }
     /// Whether a caster was the same in so many readings before the last one, and in that.
@@ -72,7 +72,9 @@ private:
     unsigned long mReading = 0;
     /// By address: another object at the same one is another caster unless it looks the same.
     std::unordered_map<const Ogre::MovableObject*, Caster> mKnown;
-    std::vector<const Caster*> mEach;
+    std::vector<Caster*> mEach;
+    /// Of the reading before, since most casters are found in the same order again.
+    std::vector<Caster*> mBefore;
     // What many casters share, read once for all of them.
     struct Known {
         bool still = false;

@@ -86,8 +86,7 @@ MapDrawing StillLayer::plan(const CasterFingerprint& casters, const CasterVolume
 
 bool StillLayer::serves(const CasterFingerprint& casters, const MapContent& wanted) {
     if (mSource != &casters || mGeneration != contentGeneration() || mMatrices != wanted.matrices ||
-        mSettings != wanted.settings || mTextureState != mTexture->getStateCount() ||
-        !isLike(*wanted.texture.lock()))
+        mSettings != wanted.settings || !isLike(*wanted.texture.lock()))
         return false;
     // Only casters that it holds can be unchanged for as long: it serves if none is missing.
     const auto unchanged = [&](const CasterFingerprint::Caster* caster) {
@@ -193,9 +192,7 @@ bool StillLayer::makeTexture(const Ogre::Texture& map) {
         }
     }
     // A render system may have put another format in its place.
-    if (!isLike(map)) return false;
-    mTextureState = mTexture->getStateCount();
-    return true;
+    return isLike(map);
 }
 
 bool drawsLayers(const Ogre::SceneManager& manager) {

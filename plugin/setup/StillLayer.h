@@ -89,7 +89,6 @@ private:
     bool makeTexture(const Ogre::Texture& map);
 
     Ogre::TexturePtr mTexture;
-    std::size_t mTextureState = 0;
     bool mIsFilled = false;
     Fingerprint mCamera;
     Ogre::VisibleObjectsBoundsInfo mSeen;
