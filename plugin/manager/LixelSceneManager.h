@@ -60,6 +60,39 @@ public:
     void setCasterBatches(bool use) { mUsesBatches = use; }
     bool getCasterBatches() const { return mUsesBatches; }
 
+    /** Whether the application announces changes of objects; it does not at first, and nothing has
+        to be told: whatever maps may show is read in each frame.
+
+        With true it promises this: all that changes about objects from one frame to the next, it
+        announces by announceChange(), except what scene nodes tell by themselves. These tell where
+        they are, what is attached to them, and whether they are in the scene graph; so nothing has
+        to be announced of what moves, comes or goes. To be announced is whatever else has shadows
+        look different: visibility, masks, castShadows, materials and their settings, meshes, parts,
+        render queue groups, rendering distances, listeners. (Lights, viewers, setups, shadow
+        settings and the caster material are read in each frame all the same, and Lixel::reload
+        announces what it changes.)
+
+        Then what plain entities say is remembered while the viewer moves, and maps of a light that
+        have come to rest, in front of a viewer who stands still, are kept without a look at the
+        scene. Still surveyed in each frame are maps of lights
+        - on which something shines that may look different without anybody's word: what casts is
+          not a plain entity (MapPlan.h, PlanReason::RestlessCaster), or what receives in view is
+          none of an entity without skeleton, vertex animation and attached objects, a manual object
+          or static geometry;
+        - that have something wrong with them, of which the log is told, or shine on bodies without
+          bounds;
+        - of a setup that does not say that it depends on its options alone
+          (FittedShadowCameraSetup::dependsOnlyOnOptions);
+        - while the shapes of meshes are being read, and while visible points are set in each frame.
+
+        A broken promise shows stale shadows. setProofMode finds it: maps that would be kept without
+        a look are then fitted and drawn nevertheless, and compared. */
+    void setChangesAnnounced(bool announced) { mStore->setChangesAnnounced(announced); }
+    bool getChangesAnnounced() const { return mStore->areChangesAnnounced(); }
+    /// Has all that maps of this scene depend on read anew in the next frame; those that it changes
+    /// are drawn. Lixel::redrawShadowMaps has them all drawn, in all scenes, and announces as much.
+    void announceChange() { mStore->announceChange(); }
+
     const Ogre::String& getTypeName() const override;
     void clearScene() override;
     void _updateSceneGraph(Ogre::Camera* camera) override;

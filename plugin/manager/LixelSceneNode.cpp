@@ -3,8 +3,11 @@
 #include "scene/Log.h"
 
 #include <OgreMovableObject.h>
+#include <OgreSceneManager.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Lixel {
 namespace {
@@ -17,9 +20,18 @@ bool isFinite(const Ogre::Affine3& transform) {
     return sum == 0;
 }
 
+/// Whether a map may show an object. Viewers, lights and shadow cameras move in each frame, and who
+/// asks for maps reads them himself.
+bool mayBeSeen(const Ogre::MovableObject* object) {
+    const Ogre::uint32 type = object->getTypeFlags();
+    return type != Ogre::SceneManager::FRUSTUM_TYPE_MASK &&
+           type != Ogre::SceneManager::LIGHT_TYPE_MASK;
+}
+
 } // namespace
 
 LixelSceneNode::~LixelSceneNode() {
+    if (mMatters) mStore->noteChange();
     if (mSlot != NodeStore::NoSlot) mStore->remove(mSlot);
 }
 
@@ -56,6 +68,19 @@ void LixelSceneNode::noteObjects() {
     if (mSlot == NodeStore::NoSlot) return;
     const auto& objects = getAttachedObjects();
     mStore->setOnlyObject(mSlot, objects.size() == 1 ? objects.front() : nullptr);
+    const bool didMatter = std::exchange(mMatters, std::ranges::any_of(objects, mayBeSeen));
+    if (didMatter || mMatters) mStore->noteChange();
+}
+
+void LixelSceneNode::updateFromParentImpl() const {
+    SceneNode::updateFromParentImpl();
+    if (mMatters) mStore->noteChange();
+}
+
+void LixelSceneNode::setParent(Ogre::Node* parent) {
+    SceneNode::setParent(parent);
+    // A new node has nothing yet that comes or goes with it.
+    if (mSlot != NodeStore::NoSlot || numChildren() > 0) mStore->announceChange();
 }
 
 void LixelSceneNode::_updateBounds() {

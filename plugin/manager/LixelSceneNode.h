@@ -31,10 +31,16 @@ public:
     void _updateBounds() override;
 
 private:
+    /// The same, at once: when the node's place in the world is derived anew.
+    void updateFromParentImpl() const override;
+    /// All below it come into the scene graph or leave it with it.
+    void setParent(Ogre::Node* parent) override;
     void noteObjects();
 
     std::shared_ptr<NodeStore> mStore;
     NodeStore::Slot mSlot = NodeStore::NoSlot;
+    /// Whether something attached may be seen: cameras and lights are not.
+    bool mMatters = false;
     /// Whether the log was told of numbers that are not finite, since they last were.
     bool mReported = false;
 };

@@ -3,6 +3,7 @@
 #include "reload/MaterialReload.h"
 #include "reload/ShaderReload.h"
 #include "script/ShadowCameraSetupManager.h"
+#include "setup/MapPlan.h"
 
 #include <OgreException.h>
 #include <OgreResourceGroupManager.h>
@@ -48,6 +49,8 @@ std::vector<std::string> reload(const Ogre::String& group) {
                       std::back_inserter(errors));
     std::ranges::move(ShadowCameraSetupManager::getSingleton().reload(group),
                       std::back_inserter(errors));
+    // Materials and programs changed in place.
+    redrawShadowMaps();
     return errors;
 }
 

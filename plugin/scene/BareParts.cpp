@@ -1,5 +1,6 @@
 #include "scene/BareParts.h"
 
+#include <OgreEntity.h>
 #include <OgreLogManager.h>
 #include <OgreMaterial.h>
 #include <OgreMaterialManager.h>
@@ -13,6 +14,18 @@
 
 namespace Lixel {
 namespace {
+
+/** Whether a material has parts of entities receive, whichever wears it.
+
+    A listener may give a part another material's technique, where its own has none for the scheme in
+    use, and so may levels of detail: then it depends on the part. */
+std::optional<bool> receivesInAnyPart(const Ogre::Material& material) {
+    const auto& techniques = material.getSupportedTechniques();
+    const Ogre::ushort scheme = Ogre::MaterialManager::getSingleton()._getActiveSchemeIndex();
+    if (techniques.size() != 1 || techniques.front()->_getSchemeIndex() != scheme)
+        return std::nullopt;
+    return material.getReceiveShadows();
+}
 
 /// Asks all parts and their materials.
 class Question : public Ogre::Renderable::Visitor {
@@ -35,23 +48,37 @@ public:
 private:
     /// Whether the material that a part is drawn in lets it receive.
     bool lets(const Ogre::Renderable& part, const Ogre::Material& material) const {
-        // A listener may give a part another material's technique, where its own has none for the
-        // scheme in use, and so may an application's part. Asking takes longest.
-        const auto& techniques = material.getSupportedTechniques();
-        if (typeid(part) == typeid(Ogre::SubEntity) && techniques.size() == 1 &&
-            techniques.front()->_getSchemeIndex() == mScheme)
-            return material.getReceiveShadows();
+        // An application's part may have another technique too. Asking takes longest.
+        if (typeid(part) == typeid(Ogre::SubEntity))
+            if (const auto answer = receivesInAnyPart(material)) return *answer;
         const Ogre::Technique* const technique = part.getTechnique();
         return technique == nullptr || technique->getParent()->getReceiveShadows();
     }
 
     bool mCastersReceive;
-    Ogre::ushort mScheme = Ogre::MaterialManager::getSingleton()._getActiveSchemeIndex();
 };
 
 } // namespace
 
+std::optional<bool> BareParts::receivesAsMaterials(const Ogre::Entity& entity) {
+    if (entity.getNumManualLodLevels() > 0) return std::nullopt;
+    bool any = false;
+    for (const Ogre::SubEntity* part : entity.getSubEntities()) {
+        const Ogre::Material* const material = part->getMaterial().get();
+        Read& read = mRead[reinterpret_cast<std::uintptr_t>(material) / sizeof(Ogre::Material) %
+                           mRead.size()];
+        if (material == nullptr) return std::nullopt;
+        if (read.material != material) read = {material, receivesInAnyPart(*material)};
+        if (!read.receives) return std::nullopt;
+        any = any || *read.receives;
+    }
+    return any;
+}
+
 bool BareParts::receives(Ogre::MovableObject& object, bool castersReceive) {
+    if (castersReceive && typeid(object) == typeid(Ogre::Entity))
+        if (const auto answer = receivesAsMaterials(static_cast<const Ogre::Entity&>(object)))
+            return *answer;
     Question question(castersReceive);
     object.visitRenderables(&question);
     if (question.firstBare && mTold.emplace(&object, object.getName()).second)

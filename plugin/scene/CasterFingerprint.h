@@ -39,6 +39,10 @@ public:
         unsigned long read = 0;
     };
 
+    CasterFingerprint() = default;
+    /// Of casters that were read before, and of which none was unknown.
+    explicit CasterFingerprint(const Fingerprint& value) : mValue(value) {}
+
     /** Reads the casters that a search found.
         @param each whether to read each of them and remember it, for each() to tell which ones have
         changed; otherwise reading ends with the first that may look different each time */

@@ -38,21 +38,36 @@ void CasterSearch::clear(const Survey& survey) {
 }
 
 void CasterSearch::collect(const Survey& survey, const NodeCuller& volume) {
+    const SceneRules& rules = survey.rules();
+    NodeStore* const store = findStore(rules.sceneManager());
+    if (store != nullptr) store->beginReading(rules.fingerprint());
+    const bool learns = store != nullptr && store->areChangesAnnounced();
     std::size_t guess = 0;
-    for (const auto& [object, touches] : mWalk.collect(survey.rules().sceneManager(), volume))
-        if (touches || !volume.excludes(object->getWorldBoundingBox(), guess)) add(survey, *object);
+    for (const auto& [object, touches, slot, known] : mWalk.collect(rules.sceneManager(), volume)) {
+        if ((known & NodeStore::CastsKnown) != 0) {
+            if ((known & NodeStore::Casts) != 0)
+                addCaster(*object, store->box(slot), survey.wsOrigin());
+            continue;
+        }
+        if (!touches && volume.excludes(object->getWorldBoundingBox(), guess)) continue;
+        const bool casts = rules.draws(*object) && rules.casts(*object);
+        if (learns && slot != NodeStore::NoSlot &&
+            object->getWorldBoundingBox() == store->box(slot) && SceneRules::areLasting(*object))
+            store->know(slot, NodeStore::CastsKnown | (casts ? unsigned{NodeStore::Casts} : 0U));
+        if (casts) addCaster(*object, object->getWorldBoundingBox(), survey.wsOrigin());
+    }
 }
 
-void CasterSearch::add(const Survey& survey, const Ogre::MovableObject& object) {
-    const Ogre::AxisAlignedBox& bounds = object.getWorldBoundingBox();
-    if (bounds.isNull() || !survey.rules().draws(object) || !survey.rules().casts(object)) return;
+void CasterSearch::addCaster(const Ogre::MovableObject& object, const Ogre::AxisAlignedBox& bounds,
+                             const Vec3& wsOrigin) {
+    if (bounds.isNull()) return;
     if (bounds.isInfinite()) {
         mCasters.addUnbounded();
         mUnboundedName = object.getName();
         return;
     }
     const std::size_t index = mCasters.size();
-    mCasters.add(relativeBox(bounds, survey.wsOrigin()));
+    mCasters.add(relativeBox(bounds, wsOrigin));
     if (mCasters.size() > index)
         mShapes.add(object);
     else

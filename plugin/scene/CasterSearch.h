@@ -40,8 +40,9 @@ public:
 private:
     void clear(const Survey& survey);
     void collect(const Survey& survey, const NodeCuller& volume);
-    /// Adds the object if it casts.
-    void add(const Survey& survey, const Ogre::MovableObject& object);
+    /// Adds what casts.
+    void addCaster(const Ogre::MovableObject& object, const Ogre::AxisAlignedBox& bounds,
+                   const Vec3& wsOrigin);
 
     BoxSet mCasters;
     ObjectShapes mShapes;

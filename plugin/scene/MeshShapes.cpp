@@ -134,7 +134,9 @@ void MeshShapes::advance(MeshReading& reading, const Ogre::Mesh& mesh,
 }
 
 void MeshShapes::advance(MeshReading& reading, const Ogre::Mesh& mesh) {
-    if (reading.isDone() || !(mTimeLeft > 0.0)) return;
+    if (reading.isDone()) return;
+    ++mUnrest;
+    if (!(mTimeLeft > 0.0)) return;
     const bool large = reading.timeLeft(mesh) > mTimeLeft;
     ReadingAllowance allowance(large ? std::min(mTimeLeft, mTimeLeftForLarge) : mTimeLeft);
     advance(reading, mesh, allowance);
@@ -144,6 +146,7 @@ void MeshShapes::advance(MeshReading& reading, const Ogre::Mesh& mesh) {
 
 void MeshShapes::prepare(const Ogre::MeshPtr& mesh) {
     if (!mesh->isLoaded() || mesh->hasSkeleton() || mesh->hasVertexAnimation()) return;
+    ++mUnrest;
     Entry& entry = find(mesh);
     if (entry.isRestless()) {
         entry.boundsChanges = 0;

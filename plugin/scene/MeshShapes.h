@@ -79,6 +79,10 @@ public:
         @param[out] around the entity in its own space, where the answer is true */
     bool isConvex(const Ogre::Entity& entity, Aabb& around);
 
+    /// A number that changes whenever answers may be others the next time, although no entity
+    /// changes: a reading was left for another frame, or a mesh was prepared.
+    std::uint64_t unrest() const { return mUnrest; }
+
     /// Bytes that were read from buffers so far, for statistics.
     std::size_t bytesRead() const { return mBytesRead; }
 
@@ -115,6 +119,7 @@ private:
     unsigned long mFrame = ~0UL; // none yet
     unsigned mPictures = 0;
     std::size_t mBytesRead = 0;
+    std::uint64_t mUnrest = 0;
 
     /// Of a frame's time, for meshes that take several frames. The rest is for small ones, which
     /// are there at once.

@@ -273,6 +273,11 @@ NodeStore* findStore(const Ogre::SceneManager& manager) {
     return found == stores().end() ? nullptr : found->second;
 }
 
+void announceChangeInStores() {
+    for (const auto& [manager, store] : stores())
+        store->announceChange();
+}
+
 void setStore(const Ogre::SceneManager& manager, NodeStore* store) {
     if (store != nullptr)
         stores()[&manager] = store;

@@ -2,6 +2,7 @@
 
 #include "fit/geometry/Types.h"
 #include "scene/BoxBlock.h"
+#include "scene/Fingerprint.h"
 #include "scene/NodeCuller.h"
 
 #include <algorithm>
@@ -85,7 +86,57 @@ public:
     /// @param object what is attached, where that is one object; otherwise null
     void setOnlyObject(Slot slot, Ogre::MovableObject* object) {
         mPlaces[slot].object = object;
+        mPlaces[slot].known = NothingKnown;
         ++mPlaces[slot].attachment;
+    }
+
+    /// Call whenever what a shadow map may show of a node has changed: where it and its objects are,
+    /// what is attached, whether it is in the scene graph.
+    void noteChange() { ++mChanges; }
+    /// How often that was.
+    std::uint64_t changes() const { return mChanges; }
+    /// Whether the application has promised to announce all other changes of objects too.
+    /// @see LixelSceneManager::setChangesAnnounced
+    bool areChangesAnnounced() const { return mAreChangesAnnounced; }
+    void setChangesAnnounced(bool announced) {
+        if (announced == mAreChangesAnnounced) return;
+        mAreChangesAnnounced = announced;
+        announceChange();
+    }
+    /// Something of an object may be otherwise, or whether it is in the scene graph.
+    void announceChange() {
+        ++mChanges;
+        ++mReading;
+    }
+
+    /// What was read of a node's only object, as bits.
+    enum Known : std::uint8_t {
+        NothingKnown = 0,
+        DrawsKnown = 1,
+        Draws = 2,
+        CastsKnown = 4,
+        Casts = 8, ///< where it is drawn
+        ReceivesKnown = 16,
+        Receives = 32 ///< where it is drawn
+    };
+    /// Objects are about to be read. @param rules all that answers depend on beside the objects
+    void beginReading(const Fingerprint& rules) {
+        if (rules == mReadingRules) return;
+        mReadingRules = rules;
+        ++mReading;
+    }
+    /// What is still known of a node's only object, in the scene graph: nothing, unless changes are
+    /// announced.
+    unsigned known(Slot slot) const {
+        const Place& place = mPlaces[slot];
+        return place.reading == mReading ? place.known : unsigned{NothingKnown};
+    }
+    /// Adds to what is known, if changes are announced.
+    void know(Slot slot, unsigned bits) {
+        if (!mAreChangesAnnounced) return;
+        Place& place = mPlaces[slot];
+        place.known = static_cast<std::uint8_t>(known(slot) | bits);
+        place.reading = mReading;
     }
 
     /// Call after a frame's changes: searches are right without, and slower.
@@ -130,6 +181,9 @@ private:
         /// Within the block, or in mUnbounded.
         std::uint32_t index = 0;
         std::uint32_t attachment = 0;
+        /// When what is known was read.
+        std::uint32_t reading = 0;
+        std::uint8_t known = NothingKnown;
         Ogre::AxisAlignedBox box;
         Ogre::Sphere sphere;
         bool unbounded = false;
@@ -150,11 +204,18 @@ private:
     std::vector<std::uint64_t> mFirstKeys;
     std::vector<BoxBlock*> mLoose;
     std::size_t mSize = 0;
+    std::uint64_t mChanges = 0;
+    bool mAreChangesAnnounced = false;
+    /// Changes when all has to be read anew.
+    std::uint32_t mReading = 1;
+    Fingerprint mReadingRules;
 };
 
 /// The store of a scene manager that keeps one, or null.
 LIXEL_API NodeStore* findStore(const Ogre::SceneManager& manager);
 /// Tells findStore of a scene manager's store; null when it goes.
+/// Announces a change in all of them.
+LIXEL_API void announceChangeInStores();
 LIXEL_API void setStore(const Ogre::SceneManager& manager, NodeStore* store);
 
 } // namespace Lixel

@@ -47,11 +47,16 @@ void NodeWalk::collectFromStore(const NodeStore& store, const NodeCuller& volume
     mSearch.decide([&](NodeStore::Slot slot) { return volume.excludes(store.box(slot), guess); });
     const std::vector<NodeStore::Slot>& found = mSearch.found;
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (i + NodesAhead < found.size()) store.prefetch(found[i + NodesAhead]);
+        if (i + NodesAhead < found.size() && store.known(found[i + NodesAhead]) == 0)
+            store.prefetch(found[i + NodesAhead]);
+        if (const unsigned known = store.known(found[i]); known != 0) {
+            mObjects.push_back({store.onlyObject(found[i]), true, found[i], known});
+            continue;
+        }
         const Ogre::SceneNode& node = store.node(found[i]);
         if (!node.isInSceneGraph()) continue;
         if (Ogre::MovableObject* const object = store.onlyObject(found[i]))
-            mObjects.push_back({object, true});
+            mObjects.push_back({object, true, found[i]});
         else
             for (Ogre::MovableObject* const several : node.getAttachedObjects())
                 mObjects.push_back({several, false});

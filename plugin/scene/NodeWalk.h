@@ -21,6 +21,10 @@ public:
         Ogre::MovableObject* object;
         /// Whether bounds decided on it: it need not be compared with the volume again.
         bool touches;
+        /// In the scene manager's store; NoSlot for what is not the only object of a node there.
+        NodeStore::Slot slot = NodeStore::NoSlot;
+        /// NodeStore::Known
+        unsigned known = NodeStore::NothingKnown;
     };
 
     /// @return good for as long as nobody else gets to change the scene

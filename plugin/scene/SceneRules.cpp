@@ -1,14 +1,18 @@
 #include "scene/SceneRules.h"
 
+#include "scene/PlainEntity.h"
+
 #include <OgreCamera.h>
 #include <OgreEntity.h>
 #include <OgreInstancedEntity.h>
+#include <OgreMaterialManager.h>
 #include <OgreRenderQueue.h>
 #include <OgreRenderQueueSortingGrouping.h>
 #include <OgreSceneManager.h>
 #include <OgreViewport.h>
 
 #include <algorithm>
+#include <typeinfo>
 
 namespace Lixel {
 namespace {
@@ -62,12 +66,25 @@ SceneRules::SceneRules(const Ogre::Camera& viewer, const Ogre::Viewport& viewpor
       mSceneManager(viewer.getSceneManager()),
       mVisibilityMask(viewport.getVisibilityMask() & mSceneManager->getVisibilityMask()),
       mCastersReceive(mSceneManager->getShadowTextureSelfShadow() ||
-                      mSceneManager->isShadowTechniqueIntegrated()) {}
+                      mSceneManager->isShadowTechniqueIntegrated()) {
+    mFingerprint.add(std::uint64_t{mVisibilityMask});
+    mFingerprint.add(std::uint64_t{mCastersReceive});
+    mFingerprint.add(std::uint64_t{Ogre::MaterialManager::getSingleton()._getActiveSchemeIndex()});
+    std::uint64_t group = 0;
+    for (const auto& queue : mSceneManager->getRenderQueue()->_getQueueGroups()) {
+        ++group;
+        if (queue && !queue->getShadowsEnabled()) mFingerprint.add(group);
+    }
+}
+
+bool SceneRules::areLasting(const Ogre::MovableObject& object) {
+    return PlainEntity(&object, 0).entity() != nullptr;
+}
 
 bool SceneRules::draws(const Ogre::MovableObject& object) const {
     // getVisible() is the object's own flag; isVisible() would answer for the last camera drawn.
     return object.getVisible() && (object.getVisibilityFlags() & mVisibilityMask) != 0 &&
-           isDrawn(object);
+           (typeid(object) == typeid(Ogre::Entity) || isDrawn(object));
 }
 
 bool SceneRules::casts(const Ogre::MovableObject& object) const {

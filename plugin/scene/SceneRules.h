@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/BareParts.h"
+#include "scene/Fingerprint.h"
 
 namespace Ogre {
 class Camera;
@@ -24,6 +25,11 @@ public:
 
     Ogre::SceneManager& sceneManager() const { return *mSceneManager; }
 
+    /// All that answers depend on beside the objects, where these say the same for every camera.
+    const Fingerprint& fingerprint() const { return mFingerprint; }
+    /// Whether answers about an object are the same for every camera, as long as it stays the same.
+    static bool areLasting(const Ogre::MovableObject& object);
+
     /// Whether it is drawn where it is in view: visible by its own flag and by the masks of scene
     /// manager and viewport, and more than a place for others.
     bool draws(const Ogre::MovableObject& object) const;
@@ -41,6 +47,7 @@ private:
     unsigned mVisibilityMask = 0;
     /// OGRE sorts casters out of the receivers, which integrated techniques do not know.
     bool mCastersReceive = true;
+    Fingerprint mFingerprint;
 };
 
 } // namespace Lixel

@@ -9,8 +9,10 @@
 #include <OgreEntity.h>
 #include <OgreMovableObject.h>
 #include <OgreRoot.h>
+#include <OgreSubEntity.h>
 
 #include <limits>
+#include <typeinfo>
 
 namespace Lixel {
 namespace {
@@ -21,6 +23,24 @@ constexpr double Flatness = 1.0 / 32.0;
 /// A viewer who is nearer to the box's middle than this many of its radii stands in it, or sees
 /// little but it.
 constexpr double NearRadii = 1.5;
+
+/// How many objects ahead memory is asked for: the list of an entity's parts, then its first part.
+constexpr std::size_t ListsAhead = 12;
+constexpr std::size_t PartsAhead = 6;
+
+void fetchAhead(std::span<const NodeWalk::Object> rest) {
+    const auto entityAt = [&](std::size_t ahead) -> const Ogre::Entity* {
+        if (ahead >= rest.size() || rest[ahead].known != 0) return nullptr;
+        const Ogre::MovableObject& object = *rest[ahead].object;
+        return typeid(object) == typeid(Ogre::Entity) ? static_cast<const Ogre::Entity*>(&object)
+                                                      : nullptr;
+    };
+    if (const Ogre::Entity* const entity = entityAt(ListsAhead))
+        __builtin_prefetch(entity->getSubEntities().data());
+    if (const Ogre::Entity* const entity = entityAt(PartsAhead))
+        if (!entity->getSubEntities().empty())
+            prefetchObject(entity->getSubEntities().front(), sizeof(Ogre::SubEntity));
+}
 
 /// Whether the box may say too little of what the viewer, at the origin, sees of the body in it.
 bool needsSurface(const Aabb& box) {
@@ -57,13 +77,30 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport, do
     reach.shadowDistance = shadowDistance;
     mView = viewVolume(widened(reach, margin));
 
-    for (const auto& [object, touches] :
-         mWalk.collect(mRules.sceneManager(), NodeCuller(mView, mWsOrigin)))
-        visit(*object, touches);
+    mBareParts.begin();
+    mStore = findStore(mRules.sceneManager());
+    if (mStore != nullptr) mStore->beginReading(mRules.fingerprint());
+    const std::span<const NodeWalk::Object> found =
+        mWalk.collect(mRules.sceneManager(), NodeCuller(mView, mWsOrigin));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if ((found[i].known & NodeStore::ReceivesKnown) != 0) {
+            visitKnown(found[i]);
+        } else {
+            fetchAhead(found.subspan(i));
+            visit(found[i]);
+        }
+    }
 }
 
-void Survey::visit(Ogre::MovableObject& object, bool inView) {
-    if (!mRules.draws(object)) return;
+void Survey::visit(const NodeWalk::Object& found) {
+    Ogre::MovableObject& object = *found.object;
+    const bool isLasting = found.slot != NodeStore::NoSlot && mStore->areChangesAnnounced() &&
+                           object.getWorldBoundingBox() == mStore->box(found.slot) &&
+                           SceneRules::areLasting(object);
+    const auto know = [&](unsigned bits) {
+        if (isLasting) mStore->know(found.slot, NodeStore::ReceivesKnown | bits);
+    };
+    if (!mRules.draws(object)) return know(0);
     ++mObjectCount;
     const Ogre::AxisAlignedBox& bounds = object.getWorldBoundingBox();
     if (bounds.isNull()) return;
@@ -76,8 +113,20 @@ void Survey::visit(Ogre::MovableObject& object, bool inView) {
     }
     const Aabb box = relativeBox(bounds, mWsOrigin);
     // Asking the materials takes longest, so it comes last.
-    if (!inView && mView.classify(box) == ConvexVolume::Side::Outside) return;
-    if (!mRules.receives(object, mBareParts)) return;
+    if (!found.touches && mView.classify(box) == ConvexVolume::Side::Outside) return;
+    const bool receives = mRules.receives(object, mBareParts);
+    know(NodeStore::Draws | (receives ? unsigned{NodeStore::Receives} : 0U));
+    if (receives) addReceiver(object, box);
+}
+
+void Survey::visitKnown(const NodeWalk::Object& found) {
+    if ((found.known & NodeStore::Draws) == 0) return;
+    ++mObjectCount;
+    if ((found.known & NodeStore::Receives) != 0)
+        addReceiver(*found.object, relativeBox(mStore->box(found.slot), mWsOrigin));
+}
+
+void Survey::addReceiver(const Ogre::MovableObject& object, const Aabb& box) {
     const std::size_t index = mReceivers.size();
     const std::size_t unbounded = mReceivers.unbounded();
     mReceivers.add(box);

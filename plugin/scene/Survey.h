@@ -59,6 +59,10 @@ public:
     const BoxSet& receivers() const { return mReceivers; }
     /// Their hulls. They read the objects: good until one is moved or destroyed.
     const BodyShapes& receiverShapes() const { return mReceiverShapes; }
+    /// The receivers that have bounds.
+    std::span<const Ogre::MovableObject* const> receiverObjects() const {
+        return mReceiverShapes.objects();
+    }
     /** Surfaces of those receivers whose boxes say too little: that the viewer stands in, or near.
         They point into the survey, and hold until its next one. */
     const std::vector<KnownSurface>& surfaces() const { return mSurfaces; }
@@ -74,8 +78,10 @@ public:
     MeshShapes& meshes() const { return mMeshes; }
 
 private:
-    /// @param inView whether that is known already
-    void visit(Ogre::MovableObject& object, bool inView);
+    void visit(const NodeWalk::Object& found);
+    /// The same of an object of which it is known what it does.
+    void visitKnown(const NodeWalk::Object& found);
+    void addReceiver(const Ogre::MovableObject& object, const Aabb& box);
     void addSurface(const Ogre::MovableObject& object, std::size_t receiver);
 
     SceneRules mRules;
@@ -94,6 +100,7 @@ private:
     // While a survey is taken.
     ConvexVolume mView;
     NodeWalk mWalk;
+    NodeStore* mStore = nullptr;
 };
 
 } // namespace Lixel

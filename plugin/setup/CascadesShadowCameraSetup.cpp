@@ -4,6 +4,7 @@
 #include "fit/parts/CascadeMemory.h"
 #include "setup/DivisionMemory.h"
 #include "setup/ShadowCameraSetups.h"
+#include "setup/StillLight.h"
 
 #include <OgreException.h>
 #include <OgreShadowCameraSetupPSSM.h>
@@ -15,6 +16,14 @@ namespace {
 
 /// What slices remember beside.
 struct SliceMemory : DivisionMemory {
+    void addMemory(Fingerprint& memory) const override {
+        memory.add(cascades.nearest);
+        memory.add(cascades.farthest);
+        addFrame(cascades.view.fingerprint, memory);
+        addVector(cascades.view.wsEye, memory);
+        memory.add(cascades.view.vsReceiverNear);
+    }
+
     CascadeMemory cascades;
     CascadeScratch scratch;
     std::vector<double> vsSplits;

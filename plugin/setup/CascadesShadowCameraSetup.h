@@ -76,6 +76,8 @@ protected:
                           DivisionMemory& memory) const noexcept override;
     std::unique_ptr<DivisionMemory> makeDivisionMemory() const override;
     std::size_t mapsOfSun(std::size_t maps) const noexcept override;
+    bool dependsOnlyOnOptions() const noexcept override { return true; }
+    const FittedShadowCameraSetup* technique() const noexcept override { return mTechnique.get(); }
 
 private:
     std::shared_ptr<const FittedShadowCameraSetup> mTechnique;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/parts/LightPartition.h"
+#include "scene/Fingerprint.h"
 
 namespace Lixel {
 
@@ -11,6 +12,9 @@ struct DivisionMemory {
     DivisionMemory(const DivisionMemory&) = delete;
     DivisionMemory& operator=(const DivisionMemory&) = delete;
     virtual ~DivisionMemory() = default;
+
+    /// Adds all that may have the next frame's parts be others.
+    virtual void addMemory(Fingerprint&) const {}
 
     AimScratch aim;
 };

@@ -1,6 +1,7 @@
 // What can be set of every setup of Lixel's.
 #include "setup/FittedShadowCameraSetup.h"
 
+#include "scene/Fingerprint.h"
 #include "scene/OgreMath.h"
 
 #include <OgreException.h>
@@ -37,6 +38,26 @@ constexpr std::array DeclaredCommon{
                                         "0: fitted in each frame"),
 };
 
+void addOptions(std::span<const Option> declared, void* options, Fingerprint& settings) {
+    for (const Option& option : declared) {
+        switch (option.type) {
+        case OptionType::Plane:
+            for (const double number : *static_cast<const Vec4*>(option.member(options)))
+                settings.add(number);
+            break;
+        case OptionType::Ascending: {
+            const auto& numbers = *static_cast<const std::vector<double>*>(option.member(options));
+            settings.add(std::uint64_t{numbers.size()});
+            for (const double number : numbers)
+                settings.add(number);
+            break;
+        }
+        default:
+            settings.add(optionNumber(option, options));
+        }
+    }
+}
+
 } // namespace
 
 std::span<const Option> CommonOptions::declared() {
@@ -47,6 +68,14 @@ void FittedShadowCameraSetup::checkOptions(std::span<const Option> declared, con
     const std::string wrong = wrongOption(declared, options);
     if (!wrong.empty())
         OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, wrong, "Lixel's setOptions");
+}
+
+void FittedShadowCameraSetup::addSettings(Fingerprint& settings) const {
+    settings.add(std::string_view(mName));
+    addOptions(mDeclared, mOptions, settings);
+    // What is read alone is not changed.
+    addOptions(CommonOptions::declared(), const_cast<CommonOptions*>(&mCommon), settings);
+    if (const FittedShadowCameraSetup* const other = technique()) other->addSettings(settings);
 }
 
 void FittedShadowCameraSetup::setCommon(double CommonOptions::*member, Ogre::Real value) {
@@ -77,6 +106,7 @@ void FittedShadowCameraSetup::setVisiblePoints(const std::vector<VisiblePoint>& 
     // As many as there can be samples; of more, every so many.
     constexpr std::size_t Most = 4096;
     const std::size_t kept = std::min(wsPoints.size(), Most);
+    ++mVisiblePointsSet;
     mWsVisiblePoints.clear();
     for (std::size_t i = 0; i < kept; ++i)
         mWsVisiblePoints.push_back(wsPoints[i * wsPoints.size() / kept]);

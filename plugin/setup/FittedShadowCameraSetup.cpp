@@ -2,6 +2,7 @@
 
 #include "fit/focus/ViewVolume.h"
 #include "scene/Log.h"
+#include "scene/NodeStore.h"
 #include "scene/OgreMath.h"
 #include "scene/OgreVersions.h"
 #include "scene/SurveyCache.h"
@@ -24,6 +25,7 @@
 #include <OgreSceneManager.h>
 #include <OgreViewport.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -67,6 +69,24 @@ double widestMargin(const CommonOptions& options) {
     return MarginShare * options.lastingMaps;
 }
 
+/// The fingerprint of the casters found, read once.
+/// @param each as CasterFingerprint::take
+const CasterFingerprint& castersOf(LightMemory& memory, bool each) {
+    if (!memory.hasFingerprint) memory.fingerprint.take(memory.search, each);
+    memory.hasFingerprint = true;
+    return memory.fingerprint;
+}
+
+/// Without what does not outlive a frame.
+ShadowProblem withoutBodies(const ShadowProblem& problem) {
+    ShadowProblem rest = problem;
+    rest.casters = rest.receivers = nullptr;
+    rest.casterShapes = rest.receiverShapes = nullptr;
+    rest.surfaces = {};
+    rest.visiblePoints = {};
+    return rest;
+}
+
 /// From the viewer to the middle of the slice that was fitted last, or to the lamp; 0 for a sun's
 /// whole view and for strips of its image.
 double distanceTo(const LightMemory& memory, const ShadowProblem& problem) {
@@ -88,6 +108,22 @@ struct FittedShadowCameraSetup::Request {
     const Ogre::Light& light;
     Ogre::Camera& shadowCamera;
     std::size_t iteration;
+};
+
+/// In microseconds.
+struct FittedShadowCameraSetup::FitTimes {
+    double survey = 0.0;
+    double casters = 0.0;
+    double fit = 0.0;
+};
+
+/// How a map's casters are read, where it matters.
+struct FittedShadowCameraSetup::MapCasters {
+    /// As planMap.
+    bool readsAtOnce;
+    std::function<const CasterFingerprint&()> read;
+    /// Each of them, once they were read; null where they are known together alone.
+    const CasterFingerprint* each = nullptr;
 };
 
 FittedShadowCameraSetup::FittedShadowCameraSetup() : FittedShadowCameraSetup("", {}, nullptr) {}
@@ -178,10 +214,8 @@ void FittedShadowCameraSetup::findCasters(const ShadowProblem& problem, const Su
 }
 
 /*  1. Count the light's maps, from its first one on.
-    2. Survey what the viewer sees, and find the light's casters and its parts: once for all maps.
-    3. Fit the next part.
-    4. Place the shadow camera, and have the map drawn, kept or skipped.
-    5. Tell the log and the observers. */
+    2. Ask whether they are those of the frame before, without a look at the scene.
+    3. Repeat the map, or fit it. */
 void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const Ogre::Camera* viewer,
                                               const Ogre::Viewport* viewport,
                                               const Ogre::Light* light, Ogre::Camera* shadowCamera,
@@ -209,8 +243,47 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
         return;
     }
 
+    if (iteration == 0) {
+        memory.still.begin(isDrawn ? situationOf(request, targets, memory) : std::nullopt, memory);
+        if (memory.still.rests() && isProofMode()) memory.still.fitNevertheless(memory);
+    }
+    if (memory.still.rests() && isDrawn)
+        repeatMap(request, targets.front(), memory);
+    else
+        prepareMap(request, isDrawn ? &targets.front() : nullptr, memory, news);
+    if (!isDrawn) endSurvey(sceneManager); // asked for the matrices alone
+}
+
+std::optional<Fingerprint>
+FittedShadowCameraSetup::situationOf(const Request& request,
+                                     const std::vector<ShadowTarget>& targets,
+                                     const LightMemory& memory) const {
+    const NodeStore* const store = findStore(*request.viewer.getSceneManager());
+    if (store == nullptr || !store->areChangesAnnounced()) return std::nullopt;
+    for (const FittedShadowCameraSetup* setup = this; setup != nullptr; setup = setup->technique())
+        if (!setup->dependsOnlyOnOptions()) return std::nullopt;
+    Fingerprint situation;
+    addSettings(situation);
+    situation.add(mVisiblePointsSet);
+    situation.add(std::uint64_t{memory.maps});
+    addSituation(request.light, request.viewer, request.viewport,
+                 std::span(targets).first(std::min(memory.maps, targets.size())), situation);
+    return situation;
+}
+
+/*  1. Survey what the viewer sees, and find the light's casters and its parts: once for all maps.
+    2. Fit the next part.
+    3. Place the shadow camera, and have the map drawn, kept or skipped.
+    4. Tell the log and the observers.
+    5. Note whether any of it may be otherwise in the next frame. */
+void FittedShadowCameraSetup::prepareMap(const Request& request, const ShadowTarget* target,
+                                         LightMemory& memory, LightNews& news) const {
+    const auto& [viewer, viewport, light, shadowCamera, iteration] = request;
+    NodeStore* const store = findStore(*viewer.getSceneManager());
+    // Whoever proves takes nothing for granted: what was read of objects is forgotten.
+    if (iteration == 0 && store != nullptr && isProofMode()) store->beginReading({});
     const TimedSurvey& timed =
-        surveyFor(*viewer, *viewport, light->getShadowFarDistance(), widestMargin(mCommon));
+        surveyFor(viewer, viewport, light.getShadowFarDistance(), widestMargin(mCommon));
     const Survey& survey = timed.survey;
     ShadowProblem problem = describe(request, survey, memory);
     const auto searchBegin = Clock::now();
@@ -225,7 +298,7 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
         memory.nextPart = 0;
     }
     const ShadowPart* part = nullptr;
-    const ShadowFit result = fitNext(problem, *light, memory.maps - iteration, memory, news, part);
+    const ShadowFit result = fitNext(problem, light, memory.maps - iteration, memory, news, part);
     LastingMap* const lasting = mCommon.lastingMaps > 0.0 && result.hasMap()
                                     ? &lastingMap(request, problem, *part, result, memory)
                                     : nullptr;
@@ -233,19 +306,61 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
     const Vec3 wsOrigin = lasting != nullptr ? lasting->wsOrigin : survey.wsOrigin();
     ShownMap shown{lasting != nullptr ? lasting->fit : result,
                    relocated(*part, survey.wsOrigin() - wsOrigin), wsOrigin};
-    placeShadowCamera(*shadowCamera, shown.fit, shown.wsOrigin);
+    const bool readsEach = mCommon.movingApart && drawsLayers(*viewer.getSceneManager());
+    const auto readCasters = [&]() -> const CasterFingerprint& {
+        if (lasting == nullptr) return castersOf(memory, readsEach);
+        // It was drawn for a region of its own, and other casters reach into that.
+        lasting->search.findIn(survey, memory.volumes.at(iteration).volume());
+        lasting->fingerprint.take(lasting->search, readsEach);
+        return lasting->fingerprint;
+    };
+    const MapCasters casters{.readsAtOnce = lasting != nullptr,
+                             .read = readCasters,
+                             .each =
+                                 lasting != nullptr ? &lasting->fingerprint : &memory.fingerprint};
+    const ShownMap fitted = shown;
+    const bool believed = target != nullptr && isBelieved(request, *target, memory);
+    placeShadowCamera(shadowCamera, shown.fit, shown.wsOrigin);
     MapDecision decision;
-    if (isDrawn) decision = draw(request, problem, survey, targets.front(), memory, lasting, shown);
-    news.tell(*light, result.reason, problem);
+    if (target != nullptr)
+        decision = draw(request, problem, *target, memory, casters, believed, shown);
+    news.tell(light, result.reason, problem);
     if (!survey.unboundedName().empty() && result.hasMap())
-        news.tellWithoutBounds(*light, survey.unboundedName());
-    if (!isDrawn) return endSurvey(sceneManager); // asked for the matrices alone
-    publishShadowMap({.sceneManager = sceneManager,
-                      .viewer = *viewer,
+        news.tellWithoutBounds(light, survey.unboundedName());
+    if (target == nullptr) return;
+    publish(request, problem, shown, decision, {timed.microseconds, searchTime, fitTime});
+
+    if (!memory.still.isWatched()) return;
+    const CasterFingerprint& read = readCasters();
+    memory.still.note(
+        {fitted, withoutBodies(problem), CasterFingerprint(read.value()), memory.nextPart});
+    if ((iteration == 0 && !tellChanges(survey.receiverObjects())) ||
+        !survey.unboundedName().empty() || isTrouble(result.reason) ||
+        !castersOf(memory, readsEach).unknownName().empty() || !read.unknownName().empty())
+        memory.still.doubt();
+}
+
+void FittedShadowCameraSetup::repeatMap(const Request& request, const ShadowTarget& target,
+                                        LightMemory& memory) const {
+    const StillMap& still = memory.still.map(request.iteration);
+    memory.nextPart = still.nextPart;
+    ShownMap shown = still.shown;
+    placeShadowCamera(request.shadowCamera, shown.fit, shown.wsOrigin);
+    const auto readCasters = [&]() -> const CasterFingerprint& { return still.casters; };
+    const MapDecision decision = draw(request, still.problem, target, memory,
+                                      {.readsAtOnce = true, .read = readCasters}, false, shown);
+    publish(request, still.problem, shown, decision, {});
+}
+
+void FittedShadowCameraSetup::publish(const Request& request, const ShadowProblem& problem,
+                                      const ShownMap& shown, const MapDecision& decision,
+                                      const FitTimes& times) const {
+    publishShadowMap({.sceneManager = *request.viewer.getSceneManager(),
+                      .viewer = request.viewer,
                       // OGRE hands out its own, mutable light as const.
-                      .light = const_cast<Ogre::Light&>(*light),
-                      .shadowCamera = *shadowCamera,
-                      .iteration = iteration,
+                      .light = const_cast<Ogre::Light&>(request.light),
+                      .shadowCamera = request.shadowCamera,
+                      .iteration = request.iteration,
                       .part = shown.part,
                       .fit = shown.fit,
                       .decision = decision,
@@ -253,9 +368,25 @@ void FittedShadowCameraSetup::getShadowCamera(const Ogre::SceneManager*, const O
                       .width = problem.mapWidth,
                       .height = problem.mapHeight,
                       .depthBias = mCommon.depthBias,
-                      .surveyMicroseconds = timed.microseconds,
-                      .casterMicroseconds = searchTime,
-                      .fitMicroseconds = fitTime});
+                      .surveyMicroseconds = times.survey,
+                      .casterMicroseconds = times.casters,
+                      .fitMicroseconds = times.fit});
+}
+
+bool FittedShadowCameraSetup::isBelieved(const Request& request, const ShadowTarget& target,
+                                         const LightMemory& memory) const {
+    const StillMap* const map = memory.still.believed(request.iteration);
+    if (map == nullptr) return false;
+    const ShownMap& shown = map->shown;
+    if (!shown.fit.hasMap()) {
+        const MapContent* const content = contentOf(target);
+        return content != nullptr && content->empty;
+    }
+    const auto readCasters = [&]() -> const CasterFingerprint& { return map->casters; };
+    placeShadowCamera(request.shadowCamera, shown.fit, shown.wsOrigin);
+    return mCommon.reuseMaps &&
+           planMap(request.shadowCamera, request.viewport, shown.fit, target, true, readCasters)
+                   .decision.plan == MapPlan::Reuse;
 }
 
 LastingMap& FittedShadowCameraSetup::lastingMap(const Request& request,
@@ -266,8 +397,7 @@ LastingMap& FittedShadowCameraSetup::lastingMap(const Request& request,
     if (!kept) kept = std::make_unique<LastingMap>();
     Fingerprint settings;
     addLight(problemOf(problem, part), settings);
-    for (const Ogre::ParameterDef& parameter : getParameters())
-        settings.add(std::string_view(getParameter(settingName(parameter))));
+    addSettings(settings);
     if (serves(*kept, settings, fresh, problem, mCommon.lastingMaps)) return *kept;
 
     const auto at = [&](double margin, const auto& attempt) {
@@ -327,7 +457,7 @@ bool FittedShadowCameraSetup::postpones(const Request& request, const ShadowProb
 
 StillLayer* FittedShadowCameraSetup::planLayer(const Request& request, const ShadowTarget& target,
                                                PlannedMap& planned, LightMemory& memory,
-                                               const LastingMap* lasting) const {
+                                               const MapCasters& casters) const {
     std::unique_ptr<StillLayer>& layer = memory.layers.at(request.iteration);
     MapDecision& decision = planned.decision;
     const bool isForCasters =
@@ -337,15 +467,13 @@ StillLayer* FittedShadowCameraSetup::planLayer(const Request& request, const Sha
         layer.reset();
         return nullptr;
     }
-    if (!isForCasters) {
+    if (!isForCasters || casters.each == nullptr) {
         if (layer) layer->rest();
         return nullptr;
     }
     if (!layer) layer = std::make_unique<StillLayer>();
     // As they were read for these reasons.
-    const CasterFingerprint& casters =
-        lasting != nullptr ? lasting->fingerprint : memory.fingerprint;
-    switch (layer->plan(casters, memory.volumes.at(request.iteration), *planned.content)) {
+    switch (layer->plan(*casters.each, memory.volumes.at(request.iteration), *planned.content)) {
     case MapDrawing::Whole:
         return nullptr;
     case MapDrawing::Fill:
@@ -358,36 +486,24 @@ StillLayer* FittedShadowCameraSetup::planLayer(const Request& request, const Sha
 }
 
 MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowProblem& problem,
-                                          const Survey& survey, const ShadowTarget& target,
-                                          LightMemory& memory, LastingMap* lasting,
+                                          const ShadowTarget& target, LightMemory& memory,
+                                          const MapCasters& casters, bool believed,
                                           ShownMap& shown) const {
     if (!shown.fit.hasMap()) {
         if (mapBudget().isLimited())
             mapQueue().rest({&memory, request.iteration},
                             Ogre::Root::getSingleton().getNextFrameNumber(), mapBudget());
         if (StillLayer* const layer = memory.layers.at(request.iteration).get()) layer->rest();
-        skipShadowPass(request.shadowCamera, target);
+        skipShadowPass(request.shadowCamera, target, believed);
         return {MapPlan::Skip, PlanReason::NothingShadowed, {}};
     }
     CasterVolume& volume = memory.volumes.at(request.iteration);
     volume.set(shown.fit, shown.wsOrigin);
-    const bool readsEach = mCommon.movingApart && drawsLayers(survey.rules().sceneManager());
-    const auto readCasters = [&]() -> const CasterFingerprint& {
-        if (lasting != nullptr) {
-            // It was drawn for a region of its own, and other casters reach into that.
-            lasting->search.findIn(survey, volume.volume());
-            lasting->fingerprint.take(lasting->search, readsEach);
-            return lasting->fingerprint;
-        }
-        if (!memory.hasFingerprint) memory.fingerprint.take(memory.search, readsEach);
-        memory.hasFingerprint = true;
-        return memory.fingerprint;
-    };
     PlannedMap planned = mCommon.reuseMaps
                              ? planMap(request.shadowCamera, request.viewport, shown.fit, target,
-                                       lasting != nullptr, readCasters)
+                                       casters.readsAtOnce, casters.read)
                              : PlannedMap{{MapPlan::Draw, PlanReason::Forbidden, {}}, {}};
-    StillLayer* const layer = planLayer(request, target, planned, memory, lasting);
+    StillLayer* const layer = planLayer(request, target, planned, memory, casters);
     if (postpones(request, problem, target, planned, memory, shown)) {
         shown = memory.drawn.at(request.iteration)->shown;
         placeShadowCamera(request.shadowCamera, shown.fit, shown.wsOrigin);
@@ -395,12 +511,13 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowPr
         keepShadowPass(request.shadowCamera, volume);
         return {MapPlan::Reuse, PlanReason::Postponed, {}};
     }
-    if (planned.decision.plan != MapPlan::Reuse)
-        armShadowPass(request.shadowCamera, volume, planned.content, layer);
-    else if (isProofMode())
-        proveShadowPass(request.shadowCamera, volume, *planned.content, target);
-    else
+    const bool keeps = planned.decision.plan == MapPlan::Reuse;
+    if (isProofMode() && (keeps || believed))
+        proveShadowPass(request.shadowCamera, volume, planned.content, target);
+    else if (keeps)
         keepShadowPass(request.shadowCamera, volume);
+    else
+        armShadowPass(request.shadowCamera, volume, planned.content, layer);
     return std::move(planned.decision);
 }
 

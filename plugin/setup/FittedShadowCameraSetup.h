@@ -11,7 +11,9 @@
 #include <OgreShadowCameraSetup.h>
 #include <OgreStringInterface.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Lixel {
@@ -22,6 +24,8 @@ struct DivisionMemory;
 struct FitState;
 struct LastingMap;
 struct LightMemory;
+class CasterFingerprint;
+class Fingerprint;
 class LightNews;
 struct LightPartition;
 struct MapDecision;
@@ -198,6 +202,15 @@ protected:
     /// many a lamp needs depends on what stands around it.)
     virtual std::size_t mapsOfSun(std::size_t) const noexcept { return 1; }
 
+    /** Whether fit() and divide() do the same again for the same problem and memory, as long as no
+        option is set; it has maps that have come to rest kept where an application announces changes
+        (LixelSceneManager::setChangesAnnounced). False here, since fit() may ask whatever it likes;
+        true for Lixel's techniques: say false where yours is derived from one of them and asks more.
+    */
+    virtual bool dependsOnlyOnOptions() const noexcept { return false; }
+    /// Another setup that fit() asks, whose options count too; null for none.
+    virtual const FittedShadowCameraSetup* technique() const noexcept { return nullptr; }
+
     /// Another setup's technique, for setups that are made of others.
     static ShadowFit fitAs(const FittedShadowCameraSetup& technique, const ShadowProblem& problem,
                            FitState& state) noexcept {
@@ -207,6 +220,8 @@ protected:
 private:
     class OptionCommand;
     struct Request;
+    struct MapCasters;
+    struct FitTimes;
 
     /// Sets one of the common options, where its value is valid.
     void setCommon(double CommonOptions::*member, Ogre::Real value);
@@ -227,16 +242,34 @@ private:
     LastingMap& lastingMap(const Request& request, const ShadowProblem& problem,
                            const ShadowPart& part, const ShadowFit& fresh,
                            LightMemory& memory) const;
+    /// Fits the light's next map, and has it drawn, kept or skipped.
+    /// @param target null where the application asks for matrices alone
+    void prepareMap(const Request& request, const ShadowTarget* target, LightMemory& memory,
+                    LightNews& news) const;
+    /// The same for a map that is known to be as it was fitted last.
+    void repeatMap(const Request& request, const ShadowTarget& target, LightMemory& memory) const;
+    void publish(const Request& request, const ShadowProblem& problem, const ShownMap& shown,
+                 const MapDecision& decision, const FitTimes& times) const;
+    /// What a light's maps depend on, except what scene nodes tell or the application announces.
+    /// None where that cannot be said.
+    std::optional<Fingerprint> situationOf(const Request& request,
+                                           const std::vector<ShadowTarget>& targets,
+                                           const LightMemory& memory) const;
+    /// Whether a map that is fitted nevertheless would have been kept. @see StillLight
+    bool isBelieved(const Request& request, const ShadowTarget& target,
+                    const LightMemory& memory) const;
+    /// Adds all options.
+    void addSettings(Fingerprint& settings) const;
     /// Has a placed map drawn, kept, or skipped where there is none.
-    /// @param lasting null for a map of this frame alone
+    /// @param believed whether the texture ought to show just this: proof mode compares
     /// @param shown the map placed; where the budget has an older one kept, that
-    MapDecision draw(const Request& request, const ShadowProblem& problem, const Survey& survey,
-                     const ShadowTarget& target, LightMemory& memory, LastingMap* lasting,
-                     ShownMap& shown) const;
+    MapDecision draw(const Request& request, const ShadowProblem& problem,
+                     const ShadowTarget& target, LightMemory& memory, const MapCasters& casters,
+                     bool believed, ShownMap& shown) const;
     /// Plans a map that may be drawn in layers, and has to be drawn for its casters.
     /// @return its layer where it is drawn in layers
     StillLayer* planLayer(const Request& request, const ShadowTarget& target, PlannedMap& planned,
-                          LightMemory& memory, const LastingMap* lasting) const;
+                          LightMemory& memory, const MapCasters& casters) const;
     /// Whether the budget has a map that ought to be drawn kept as it was drawn before.
     bool postpones(const Request& request, const ShadowProblem& problem, const ShadowTarget& target,
                    const PlannedMap& planned, LightMemory& memory, const ShownMap& wanted) const;
@@ -247,6 +280,8 @@ private:
     std::span<const Option> mDeclared;
     void* mOptions;
     std::vector<VisiblePoint> mWsVisiblePoints;
+    /// How often they were set.
+    std::uint64_t mVisiblePointsSet = 0;
 };
 
 /// @}

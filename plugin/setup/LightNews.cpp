@@ -15,6 +15,10 @@ unsigned long thisFrame() {
 
 } // namespace
 
+bool isTrouble(FitReason reason) {
+    return reason >= FitReason::Unbounded || reason == FitReason::ViewWithoutEnd;
+}
+
 bool LightNews::isNew(Trouble trouble) {
     return mNews.isNew(trouble, thisFrame());
 }
@@ -30,7 +34,7 @@ bool LightNews::isForgettable() const {
 
 void LightNews::tell(const Ogre::Light& light, FitReason reason, const ShadowProblem& problem) {
     const bool isNotStable = reason == FitReason::ViewWithoutEnd;
-    if (reason < FitReason::Unbounded && !isNotStable) return;
+    if (!isTrouble(reason)) return;
     if (!mNews.isNew(static_cast<unsigned>(reason), thisFrame())) return;
     if (isNotStable)
         return logWarning("the shadow map of light '" + light.getName() +

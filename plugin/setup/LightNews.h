@@ -12,6 +12,9 @@ class Light;
 
 namespace Lixel {
 
+/// Whether the log is told of a reason.
+bool isTrouble(FitReason reason);
+
 /** What the log is told of one light: each kind of trouble once, and again only after there was
     none for News::Quiet frames. */
 class LightNews {

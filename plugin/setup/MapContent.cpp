@@ -73,9 +73,14 @@ Fingerprint settingsOf(Ogre::SceneManager& manager, const Ogre::Camera& shadowCa
         settings.add(static_cast<std::uint64_t>(map->getActualWidth()));
         settings.add(static_cast<std::uint64_t>(map->getActualHeight()));
     }
-    for (unsigned group = 0; group <= Ogre::RENDER_QUEUE_MAX; ++group)
-        settings.add(
-            std::uint64_t{manager.isRenderQueueToBeProcessed(static_cast<Ogre::uint8>(group))});
+    constexpr std::size_t Word = 64;
+    std::array<std::uint64_t, Ogre::RENDER_QUEUE_MAX / Word + 1> queues{};
+    for (std::size_t group = 0; group <= Ogre::RENDER_QUEUE_MAX; ++group) {
+        const bool isDrawn = manager.isRenderQueueToBeProcessed(static_cast<Ogre::uint8>(group));
+        queues[group / Word] |= std::uint64_t{isDrawn} << (group % Word);
+    }
+    for (const std::uint64_t word : queues)
+        settings.add(word);
     addPass(shadowCasterPassOf(manager), settings);
     return settings;
 }

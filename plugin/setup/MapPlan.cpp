@@ -1,5 +1,6 @@
 #include "setup/MapPlan.h"
 
+#include "scene/NodeStore.h"
 #include "setup/ShadowPass.h"
 
 namespace Lixel {
@@ -50,6 +51,7 @@ std::string_view toString(PlanReason reason) {
 
 void redrawShadowMaps() {
     forgetContents();
+    announceChangeInStores();
 }
 
 } // namespace Lixel

@@ -34,6 +34,7 @@ public:
 
 protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override;
+    bool dependsOnlyOnOptions() const noexcept override { return mMovablePlane == nullptr; }
 
 private:
     const Ogre::MovablePlane* mMovablePlane = nullptr;

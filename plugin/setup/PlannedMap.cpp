@@ -9,7 +9,7 @@
 namespace Lixel {
 
 PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
-                   const ShadowFit& fit, const ShadowTarget& target, bool lasts,
+                   const ShadowFit& fit, const ShadowTarget& target, bool readsAtOnce,
                    const std::function<const CasterFingerprint&()>& readCasters) {
     Ogre::SceneManager& manager = *shadowCamera.getSceneManager();
     if (drawsMapsTogether(*target.texture)) return {};
@@ -24,7 +24,7 @@ PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
     wanted.textureState = target.texture->getStateCount();
     const MapContent* const shown = contentOf(target);
     const auto drawn = [&](PlanReason reason) {
-        if (lasts && !wanted.casters)
+        if (readsAtOnce && !wanted.casters)
             if (const CasterFingerprint& casters = readCasters(); casters.unknownName().empty())
                 wanted.casters = casters.value();
         return PlannedMap{{MapPlan::Draw, reason, {}}, wanted};

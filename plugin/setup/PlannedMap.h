@@ -20,15 +20,15 @@ struct PlannedMap {
 
     Reading all casters costs time, and is of use only where the map itself has stood still. So a
     map is drawn once more after it came to rest, with its casters read then; one that is made to
-    last has them read at once.
+    last, or whose casters are known, has them read at once.
 
     @param shadowCamera placed by `fit`
     @param view the viewport that the viewer's picture is drawn in
-    @param lasts whether it is made to be kept while the viewer moves
+    @param readsAtOnce whether casters are read although the map is drawn
     @param readCasters called where it matters
 */
 PlannedMap planMap(const Ogre::Camera& shadowCamera, const Ogre::Viewport& view,
-                   const ShadowFit& fit, const ShadowTarget& target, bool lasts,
+                   const ShadowFit& fit, const ShadowTarget& target, bool readsAtOnce,
                    const std::function<const CasterFingerprint&()>& readCasters);
 
 } // namespace Lixel

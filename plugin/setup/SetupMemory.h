@@ -11,6 +11,7 @@
 #include "setup/LastingMap.h"
 #include "setup/LightNews.h"
 #include "setup/StillLayer.h"
+#include "setup/StillLight.h"
 
 #include <array>
 #include <map>
@@ -36,6 +37,7 @@ struct LightMemory {
     std::array<std::unique_ptr<DrawnMap>, LightPartition::Capacity> drawn;
     /// Null until a map is drawn that may have layers.
     std::array<std::unique_ptr<StillLayer>, LightPartition::Capacity> layers;
+    StillLight still;
     unsigned long lastFrame = 0;
 
     // Valid for one preparation of shadow textures: set for the light's first map.

@@ -206,7 +206,7 @@ void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
 }
 
 void proveShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
-                     const MapContent& content, const ShadowTarget& target) {
+                     const std::optional<MapContent>& content, const ShadowTarget& target) {
     listener().arm(shadowCamera, &cullingFrustum, content);
     listener().prove(shadowCamera, target.texture);
 }
@@ -225,23 +225,24 @@ std::vector<ShadowTarget> shadowTargetsFrom(const Ogre::Camera& camera,
     return targets;
 }
 
-void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target) {
+void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target, bool believed) {
     const auto clear = [&] {
         clearViewport(*shadowCamera.getViewport(), Ogre::FBT_COLOUR | Ogre::FBT_DEPTH,
                       Ogre::ColourValue::White);
     };
     const MapContent* const content = contentOf(target);
-    if (content == nullptr || !content->empty) {
-        clear();
+    const bool isEmpty = content != nullptr && content->empty;
+    const bool proves = isProofMode() && (isEmpty || believed);
+    const std::vector<std::uint8_t> kept =
+        proves ? readTexels(*target.texture) : std::vector<std::uint8_t>();
+    if (!isEmpty || proves) clear();
+    if (proves) proveMap(*target.texture, kept);
+    if (!isEmpty) {
         MapContent empty;
         empty.empty = true;
         empty.texture = target.texture;
         empty.textureState = target.texture->getStateCount();
         listener().note(target.target, empty);
-    } else if (isProofMode()) {
-        const std::vector<std::uint8_t> kept = readTexels(*target.texture);
-        clear();
-        proveMap(*target.texture, kept);
     }
     shadowCamera.getViewport()->setAutoUpdated(false);
     listener().arm(shadowCamera, nullptr, std::nullopt);

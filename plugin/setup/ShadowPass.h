@@ -34,7 +34,7 @@ void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
 
 /// The same for a map that could have been kept: it is compared with what was kept.
 void proveShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
-                     const MapContent& content, const ShadowTarget& target);
+                     const std::optional<MapContent>& content, const ShadowTarget& target);
 
 /// A culling frustum is about to go: no camera that waits for its pass keeps it.
 void releaseShadowPass(const Ogre::Frustum& cullingFrustum);
@@ -46,7 +46,8 @@ std::vector<ShadowTarget> shadowTargetsFrom(const Ogre::Camera& camera,
                                             Ogre::SceneManager& sceneManager);
 
 /// No caster is drawn into the texture, which is cleared to "lit" if it is not known to be.
-void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target);
+/// @param believed whether the texture could have been kept: proof mode compares
+void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target, bool believed = false);
 
 /// The texture keeps what it shows. The camera has its culling frustum as if it were drawn.
 void keepShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum);

@@ -39,6 +39,7 @@ protected:
     ShadowFit fit(const ShadowProblem& problem, FitState& state) const noexcept override {
         return fitMap(problem, mOptions, state);
     }
+    bool dependsOnlyOnOptions() const noexcept override { return true; }
 
 private:
     Options mOptions;

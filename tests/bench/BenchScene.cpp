@@ -2,7 +2,6 @@
 
 #include <OgreCamera.h>
 #include <OgreHardwarePixelBuffer.h>
-#include <OgreLight.h>
 #include <OgreTextureManager.h>
 #include <OgreViewport.h>
 
@@ -106,6 +105,10 @@ void BenchScene::use(BenchView view, const Ogre::ShadowCameraSetupPtr& setup) {
         mSun->setCustomShadowCameraSetup(setup);
     else
         mSun->resetCustomShadowCameraSetup();
+}
+
+double BenchScene::shadowDistance() {
+    return static_cast<double>(ShadowDistance);
 }
 
 void BenchScene::setDrawing(bool draws) {

@@ -6,6 +6,7 @@
 #include "scene/OgreVersions.h"
 
 #include <OgreEntity.h>
+#include <OgreLight.h>
 #include <OgreRenderTexture.h>
 #include <OgreShadowCameraSetup.h>
 #include <OgreTexture.h>
@@ -53,6 +54,9 @@ public:
     /// Destroys the entities and all else but the viewers.
     void clear();
 
+    const Ogre::Camera& camera() const { return *viewer().camera; }
+    const Ogre::Light& sun() const { return *mSun; }
+    static double shadowDistance();
     /// The texture of the sun's map, made at once.
     const Ogre::TexturePtr& shadowMap() { return mManager.getShadowTexture(0); }
     /// Of the last frame that was drawn.

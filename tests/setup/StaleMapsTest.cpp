@@ -7,6 +7,7 @@
 #include "stress/Random.h"
 #include "stress/Shrink.h"
 
+#include <Lixel/manager/LixelSceneManager.h>
 #include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/MapPlan.h>
 #include <Lixel/setup/ShadowCameraSetups.h>
@@ -21,8 +22,13 @@ namespace {
 /// Boxes, one of two kinds of lamp beside the sun, and a second viewer, all to be changed.
 class ChangingScene {
 public:
-    explicit ChangingScene(const std::string& managerType) : mStage(managerType, "Uniform") {
+    /// @param announces whether changes that no node tells are announced, with Lixel's scene manager
+    ChangingScene(const std::string& managerType, bool announces) : mStage(managerType, "Uniform") {
         Ogre::SceneManager& scene = manager();
+        if (announces) {
+            mAnnounced = static_cast<LixelSceneManager*>(&scene);
+            mAnnounced->setChangesAnnounced(true);
+        }
         mStage.stage.setShadowMapSize(256);
         scene.setShadowTextureCount(2);
         mLamp = scene.createLight("lamp");
@@ -75,30 +81,30 @@ public:
             return "scale or mirror";
         case 4:
             entity(random).setVisible(random.oneIn(2));
-            return "visible";
+            return announced("visible");
         case 5:
             entity(random).setCastShadows(random.oneIn(2));
-            return "casts";
+            return announced("casts");
         case 6:
             entity(random).setVisibilityFlags(random.of({1U, 2U, 0U}));
-            return "visibility flags";
+            return announced("visibility flags");
         case 7:
             entity(random).getSubEntity(0)->setVisible(random.oneIn(2));
-            return "part visible";
+            return announced("part visible");
         case 8:
             entity(random).setRenderQueueGroup(random.of<Ogre::uint8>({50, 60}));
-            return "queue group";
+            return announced("queue group");
         case 9:
             entity(random).setMaterialName("Stale/" + std::to_string(random.below(3)));
-            return "material";
+            return announced("material");
         case 10:
-            return changeMaterial(random);
+            return announced(changeMaterial(random));
         case 11:
             return changeTree(random);
         case 12:
             return changeBoxes(random);
         case 13:
-            return renewSomething(random);
+            return announced(renewSomething(random));
         case 14:
             return changeLight(random);
         case 15:
@@ -125,6 +131,10 @@ public:
     Samples::Stage& stage() { return mStage.stage; }
 
 private:
+    std::string announced(std::string deed) {
+        if (mAnnounced != nullptr) mAnnounced->announceChange();
+        return deed;
+    }
     Ogre::SceneManager& manager() { return mStage.stage.sceneManager(); }
     Ogre::SceneNode& any(Random& random) { return *mBoxes[random.below(mBoxes.size())]; }
     Ogre::Entity& entity(Random& random) {
@@ -295,6 +305,7 @@ private:
     }
 
     BoxOnGround mStage;
+    LixelSceneManager* mAnnounced = nullptr;
     std::vector<Ogre::SceneNode*> mBoxes;
     Ogre::SceneNode* mMover;
     bool mMoves = true;
@@ -307,6 +318,7 @@ private:
 /// out.
 struct Changes {
     std::string managerType;
+    bool announces = false;
     std::uint64_t seed = 1;
     /// Whether kept maps are compared, instead of pictures.
     bool proves = false;
@@ -319,6 +331,7 @@ struct ChangesEnd {
     std::vector<std::string> deeds;
     std::size_t kept = 0;
     std::size_t layered = 0;  ///< maps drawn over a copy of what stands still
+    std::size_t repeated = 0; ///< without a look at the scene
     std::size_t compared = 0; ///< pictures
 };
 
@@ -330,15 +343,17 @@ public:
     void shadowMapFitted(const ShadowMap& map) override {
         count += map.decision.plan == MapPlan::Reuse ? 1U : 0U;
         layered += map.decision.plan == MapPlan::DrawMoving ? 1U : 0U;
+        repeated += map.fitMicroseconds == 0.0 ? 1U : 0U;
         fits.push_back(map.fit.clipFromWorld);
     }
     std::size_t count = 0;
     std::size_t layered = 0;
+    std::size_t repeated = 0;
     std::vector<Mat4> fits;
 };
 
 void walk(const Changes& changes, ChangesEnd& end) {
-    ChangingScene scene(changes.managerType);
+    ChangingScene scene(changes.managerType, changes.announces);
     KeptMaps kept;
     if (changes.seed % 2 == 1) scene.useStableMap();
     if (changes.proves) setProofMode(true, [&scene] { scene.stage().finish(); });
@@ -368,6 +383,7 @@ void walk(const Changes& changes, ChangesEnd& end) {
     }
     end.kept = kept.count;
     end.layered = kept.layered;
+    end.repeated = kept.repeated;
 }
 
 ChangesEnd go(const Changes& changes) {
@@ -400,22 +416,41 @@ std::uint64_t walksOfATest() {
     return walks != nullptr ? std::strtoull(walks, nullptr, 10) : 3;
 }
 
-class StaleMapsTest : public testing::TestWithParam<std::string> {
+/// Whose maps.
+struct MapsOf {
+    std::string name;
+    std::string managerType;
+    bool announces = false;
+};
+
+void PrintTo(const MapsOf& whose, std::ostream* out) {
+    *out << whose.name;
+}
+
+class StaleMapsTest : public testing::TestWithParam<MapsOf> {
 protected:
     void expectNone(bool proves) {
         constexpr std::size_t Steps = 50;
         std::size_t kept = 0;
         std::size_t layered = 0;
         std::size_t compared = 0;
+        std::size_t repeated = 0;
         for (std::uint64_t seed = 1; seed <= walksOfATest(); ++seed) {
-            Changes changes{GetParam(), seed, proves, std::vector<std::size_t>(Steps)};
+            Changes changes{GetParam().managerType, GetParam().announces, seed, proves,
+                            std::vector<std::size_t>(Steps)};
             std::iota(changes.steps.begin(), changes.steps.end(), std::size_t{0});
             const ChangesEnd end = go(changes);
             ASSERT_EQ(end.found, "") << story(changes);
             kept += end.kept;
             layered += end.layered;
             compared += end.compared;
+            repeated += end.repeated;
         }
+        // In proof mode nothing is taken for granted.
+        if (GetParam().announces && !proves)
+            EXPECT_GT(repeated, 10 * walksOfATest());
+        else
+            EXPECT_EQ(repeated, 0U);
         if (!proves) {
             EXPECT_GT(compared, 10 * walksOfATest());
         }
@@ -429,8 +464,10 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(SceneManager, StaleMapsTest,
-                         testing::Values("DefaultSceneManager", "LixelSceneManager"),
-                         [](const auto& test) { return test.param; });
+                         testing::Values(MapsOf{"DefaultSceneManager", "DefaultSceneManager"},
+                                         MapsOf{"LixelSceneManager", "LixelSceneManager"},
+                                         MapsOf{"Announced", "LixelSceneManager", true}),
+                         [](const auto& test) { return test.param.name; });
 
 TEST_P(StaleMapsTest, AreNeverKept) {
     expectNone(true);
