@@ -4,11 +4,12 @@
 //
 // The field of lixel-bench-scene in Lixel's scene manager, seen from inside, with one sun whose map is
 // drawn with Lixel/Caster. First each setup is drawn until its map has come to rest. Then all take
-// turns of some frames: without shadows, and with each setup while the application announces changes
-// (LixelSceneManager::setChangesAnnounced) and while it does not. Nothing of the view is drawn: OGRE
+// turns of some frames: with each setup while the application announces changes
+// (LixelSceneManager::setChangesAnnounced) and while it does not, each frame right after one without
+// shadows. Nothing of the view is drawn: OGRE
 // finds what is visible, queues it, and is then told to skip it; and then the same drawn for real and
-// waited for. Times are medians of wall clock. "shadows" is how much longer a frame takes than one
-// without, right after it; and what it is made of: "survey", "casters" and "fit" as setups measure
+// waited for. Frames' times are medians of CPU time, of all threads. "shadows" is how much longer a frame takes than the one
+// before it; and what that is made of: "survey", "casters" and "fit" as setups measure
 // them, "read" the reading of casters' fingerprints by itself, and the "rest".
 #include "BenchWatch.h"
 #include "WriteJson.h"
@@ -26,6 +27,8 @@
 #include <OgreCamera.h>
 #include <OgreFrameListener.h>
 #include <OgreMaterialManager.h>
+
+#include <time.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -72,6 +75,13 @@ public:
     std::size_t count = 0;
 };
 
+/// CPU time of all of the process's threads.
+double microsecondsOfProcess() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
 class StillScene {
 public:
     StillScene(HeadlessOgre& ogre, std::size_t objects)
@@ -84,19 +94,23 @@ public:
         mScene.setDrawing(draws);
         mWatch.setFinishing(draws);
     }
-    void use(const StillContender* contender) {
-        mScene.use(BenchView::Inside, contender != nullptr ? contender->setup : nullptr);
-        static_cast<LixelSceneManager&>(mScene.manager())
-            .setChangesAnnounced(contender != nullptr && contender->announced);
+    /// From the next frame on.
+    void use(const StillContender& contender, bool shadows) {
+        mScene.use(BenchView::Inside, shadows ? contender.setup : nullptr);
+        static_cast<LixelSceneManager&>(mScene.manager()).setChangesAnnounced(contender.announced);
     }
+    /// Frames are timed by the process's own clock, which others on the machine do not disturb.
     BenchTimes draw() {
+        const double begin = microsecondsOfProcess();
         mWatch.begin();
         Ogre::FrameEvent event{};
         mRoot._fireFrameStarted(event);
         mScene.draw();
         mRoot._fireFrameRenderingQueued(event);
         mRoot._fireFrameEnded(event);
-        return mWatch.end();
+        BenchTimes times = mWatch.end();
+        times.frame = microsecondsOfProcess() - begin;
+        return times;
     }
     /// Microseconds of reading the fingerprints of the last map's casters.
     double readCasters() {
@@ -131,17 +145,15 @@ std::vector<StillContender> stillContenders() {
 }
 
 void takeStillTurn(StillScene& scene, StillContender& contender) {
-    std::vector<double> without;
-    scene.use(nullptr);
-    for (int i = -1; i < StillFramesATurn; ++i)
-        if (const BenchTimes times = scene.draw(); i >= 0) without.push_back(times.frame);
-    scene.use(&contender);
     for (int i = -UncountedStillFrames; i < StillFramesATurn; ++i) {
+        scene.use(contender, false);
+        const double without = scene.draw().frame;
+        scene.use(contender, true);
         const KeptMapsOfAFrame kept;
         const BenchTimes times = scene.draw();
         if (i < 0) continue;
         contender.frame.push_back(times.frame);
-        contender.shadows.push_back(times.frame - without[static_cast<std::size_t>(i)]);
+        contender.shadows.push_back(times.frame - without);
         contender.survey.push_back(times.survey);
         contender.casters.push_back(times.casters);
         contender.fit.push_back(times.fit);
@@ -182,7 +194,7 @@ void measureStill(HeadlessOgre& ogre, std::size_t objects, int frames, nlohmann:
     StillScene scene(ogre, objects);
     std::vector<StillContender> contenders = stillContenders();
     for (const StillContender& contender : contenders) {
-        scene.use(&contender);
+        scene.use(contender, true);
         // Only searches go on, and frames with all of so many objects take long.
         for (int i = 0; i < std::min(FramesToRest, 10 * frames); ++i)
             scene.draw();
