@@ -85,8 +85,8 @@ public:
           (FittedShadowCameraSetup::dependsOnlyOnOptions);
         - while the shapes of meshes are being read, and while visible points are set in each frame.
 
-        A broken promise shows stale shadows. setProofMode finds it: maps that would be kept without
-        a look are then fitted and drawn nevertheless, and compared. */
+        A broken promise shows stale shadows. setProofMode finds it where maps are at rest: those
+        that would be kept without a look are fitted and drawn nevertheless, and compared. */
     void setChangesAnnounced(bool announced) { mStore->setChangesAnnounced(announced); }
     bool getChangesAnnounced() const { return mStore->areChangesAnnounced(); }
     /// Has all that maps of this scene depend on read anew in the next frame; those that it changes
