@@ -22,6 +22,14 @@ struct SliceMemory : DivisionMemory {
         addFrame(cascades.view.fingerprint, memory);
         addVector(cascades.view.wsEye, memory);
         memory.add(cascades.view.vsReceiverNear);
+        memory.add(cascades.change);
+        const StripMemory& strips = cascades.strips;
+        addVector(strips.wsDirection, memory);
+        for (const double share : strips.shares)
+            memory.add(share);
+        memory.add(std::uint64_t{strips.count});
+        memory.add(strips.change);
+        memory.add(std::uint64_t{strips.next});
     }
 
     CascadeMemory cascades;
