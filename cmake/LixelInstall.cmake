@@ -62,6 +62,8 @@ set(public_headers
   script/ShadowCameraSetupManager.h
   script/ShadowPreset.h
   reload/Reload.h
+  scene/OgreVersions.h
+  manager/LixelSceneManager.h
   headless/Headless.h)
 if(LIXEL_BUILD_RTSS)
   list(APPEND public_headers rtss/ShaderSystem.h)

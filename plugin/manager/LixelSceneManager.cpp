@@ -3,6 +3,7 @@
 #include "manager/CasterBatches.h"
 #include "manager/LixelSceneNode.h"
 #include "manager/NearestDepth.h"
+#include "manager/VisibleObjects.h"
 #include "setup/MapContent.h"
 #include "setup/MapPlan.h"
 #include "setup/MapProof.h"
@@ -58,12 +59,25 @@ void widen(Ogre::VisibleObjectsBoundsInfo& bounds, const Ogre::VisibleObjectsBou
 LixelSceneManager::LixelSceneManager(const Ogre::String& name)
     : SceneManager(name),
       mStore(std::make_shared<NodeStore>()),
+      mVisible(std::make_unique<VisibleObjects>()),
       mBatches(std::make_unique<CasterBatches>()) {
     setStore(*this, mStore.get());
 }
 
 LixelSceneManager::~LixelSceneManager() {
     setStore(*this, nullptr);
+}
+
+void LixelSceneManager::setChangesAnnounced(bool announced) {
+    mStore->setChangesAnnounced(announced);
+}
+
+bool LixelSceneManager::getChangesAnnounced() const {
+    return mStore->areChangesAnnounced();
+}
+
+void LixelSceneManager::announceChange() {
+    mStore->announceChange();
 }
 
 const Ogre::String& LixelSceneManager::getTypeName() const {
@@ -93,17 +107,18 @@ void LixelSceneManager::_updateSceneGraph(Ogre::Camera* camera) {
 void LixelSceneManager::_findVisibleObjects(Ogre::Camera* camera,
                                             Ogre::VisibleObjectsBoundsInfo* visibleBounds,
                                             bool onlyShadowCasters) {
-    mVisible.find(*mStore, *camera);
+    mVisible->find(*mStore, *camera);
     const bool drawsAsOgre = mActiveQueuedRenderableVisitor == &mDefaultQueuedRenderableVisitor;
     CasterBatches* const batches = mUsesBatches && !mProves && onlyShadowCasters && drawsAsOgre &&
                                            mBatches->begin(*this, *camera, *getRenderQueue())
                                        ? mBatches.get()
                                        : nullptr;
-    mVisible.queue(*this, *camera, visibleBounds, onlyShadowCasters, batches, mPart);
+    const LayerPart part = mPart != nullptr ? *mPart : LayerPart();
+    mVisible->queue(*this, *camera, visibleBounds, onlyShadowCasters, batches, part);
     if (batches != nullptr) batches->queue();
     // Materials may ask for the depths of all that is in the map.
-    if (mPart.layer != nullptr && !mPart.isStill && visibleBounds != nullptr)
-        widen(*visibleBounds, mPart.layer->seen());
+    if (part.layer != nullptr && !part.isStill && visibleBounds != nullptr)
+        widen(*visibleBounds, part.layer->seen());
 }
 
 void LixelSceneManager::_renderScene(Ogre::Camera* camera, Ogre::Viewport* viewport,
@@ -152,14 +167,14 @@ bool LixelSceneManager::drawLayers(Ogre::Camera& camera, Ogre::Viewport& viewpor
 
 void LixelSceneManager::drawPart(Ogre::Camera& camera, Ogre::Viewport& viewport,
                                  bool includeOverlays, const LayerPart& part) {
-    mPart = part;
+    mPart = &part;
     try {
         SceneManager::_renderScene(&camera, &viewport, includeOverlays);
     } catch (...) {
-        mPart = {};
+        mPart = nullptr;
         throw;
     }
-    mPart = {};
+    mPart = nullptr;
 }
 
 bool LixelSceneManager::drawsQueuesAsOgre(Ogre::Viewport& viewport) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "manager/VisibleObjects.h"
+#include "fit/geometry/Types.h"
 #include "scene/OgreVersions.h"
 
 #include <memory>
@@ -8,8 +8,11 @@
 namespace Lixel {
 
 class CasterBatches;
-struct MapShortcuts;
 class NearestDepth;
+class NodeStore;
+class VisibleObjects;
+struct LayerPart;
+struct MapShortcuts;
 
 /// @addtogroup LixelSceneManager
 /// @{
@@ -87,11 +90,11 @@ public:
 
         A broken promise shows stale shadows. setProofMode finds it where maps are at rest: those
         that would be kept without a look are fitted and drawn nevertheless, and compared. */
-    void setChangesAnnounced(bool announced) { mStore->setChangesAnnounced(announced); }
-    bool getChangesAnnounced() const { return mStore->areChangesAnnounced(); }
+    void setChangesAnnounced(bool announced);
+    bool getChangesAnnounced() const;
     /// Has all that maps of this scene depend on read anew in the next frame; those that it changes
     /// are drawn. Lixel::redrawShadowMaps has them all drawn, in all scenes, and announces as much.
-    void announceChange() { mStore->announceChange(); }
+    void announceChange();
 
     const Ogre::String& getTypeName() const override;
     void clearScene() override;
@@ -116,13 +119,13 @@ private:
     Ogre::SceneNode* createSceneNodeImpl(const Ogre::String& name) override;
 
     std::shared_ptr<NodeStore> mStore;
-    VisibleObjects mVisible;
+    std::unique_ptr<VisibleObjects> mVisible;
     std::unique_ptr<CasterBatches> mBatches;
     bool mUsesBatches = true;
     /// While a map is drawn without them, to be compared.
     bool mProves = false;
-    /// What is drawn now of a map's casters.
-    LayerPart mPart;
+    /// What is drawn now of a map's casters; null for all of them.
+    const LayerPart* mPart = nullptr;
 };
 
 /// Makes LixelSceneManager; the plugin registers one.
