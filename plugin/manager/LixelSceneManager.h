@@ -38,8 +38,8 @@ struct MapShortcuts;
     - Casters by Lixel's programs store the nearest depth of each texel, whatever the order in which
       they are drawn. OGRE's depth test compares other numbers than are stored, and decides by the
       order where two casters are equally near.
-    - Where some of a map's casters move, it is drawn in two layers (CommonOptions::movingApart): what
-      stands still once, and what moves in each frame. A scene manager's listeners hear of two
+    - Where some of a map's casters move, it is drawn in two layers (CommonOptions::movingApart):
+      what stands still once, and what moves in each frame. A scene manager's listeners hear of two
       searches for a map's casters in a frame that draws both.
 */
 class LIXEL_API LixelSceneManager : public Ogre::SceneManager {

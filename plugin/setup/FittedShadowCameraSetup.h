@@ -62,13 +62,13 @@ struct CommonOptions {
         such as skeletons, particles and what has holes, have it drawn.
         @see redrawShadowMaps */
     bool reuseMaps = true;
-    /** Whether what stands still of a map's casters is kept in a texture of its own, of the map's size
-        and format, where some of them move and the map itself stands still: then only what moves is
-        drawn, over a copy of that. Each texel is that of a map drawn at once. Under LixelSceneManager,
-        for maps that hold Lixel's depths as colours, without multisampling, and with reuseMaps alone.
-        Drawn at once is what has no share in it: where too few casters stand still for their number
-        and the map's size, where a caster blends with others, and where an application listens to
-        render queues or single draws, or draws queues in ways of its own. */
+    /** Whether what stands still of a map's casters is kept in a texture of its own, of the map's
+        size and format, where some of them move and the map itself stands still: then only what
+        moves is drawn, over a copy of that. Each texel is that of a map drawn at once. Under
+        LixelSceneManager, for maps that hold Lixel's depths as colours, without multisampling, and
+        with reuseMaps alone. Drawn at once is what has no share in it: where too few casters stand
+        still for their number and the map's size, where a caster blends with others, and where an
+        application listens to render queues or single draws, or draws queues in ways of its own. */
     bool movingApart = true;
     /** For how long a map may be kept although the viewer moves, as the share by which its texels may
         be coarser than those of a map fitted in each frame; 0: none is kept.

@@ -54,8 +54,8 @@ LIXEL_API void redrawShadowMaps();
 
 /** Proof mode: maps that would be reused or skipped are drawn nevertheless, and compared with what
     their textures held, bit for bit. Maps whose casters LixelSceneManager draws in batches, or in
-    two layers (what stands still, and what moves), are drawn once more, at once and with each caster
-    by itself, and compared. Each difference is a line in the log. It is slow; off at first.
+    two layers (what stands still, and what moves), are drawn once more, at once and with each
+    caster by itself, and compared. Each difference is a line in the log. It is slow; off at first.
     Decisions are published as they are without it.
     @param wait called before a texture is read, where the driver does not wait by itself until what
     was drawn is there: `glFinish`, with Mesa's software renderers

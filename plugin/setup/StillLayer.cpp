@@ -17,14 +17,14 @@
 namespace Lixel {
 namespace {
 
-/// A caster stands still when it was the same in this many more readings than one. It has to be more
-/// than a few, so that what moves in every second or third frame does not count as still, and has the
-/// layer drawn anew each time.
+/// A caster stands still when it was the same in this many more readings than one. It has to be
+/// more than a few, so that what moves in every second or third frame does not count as still, and
+/// has the layer drawn anew each time.
 constexpr unsigned long ReadingsStill = 8;
 
-/// A layer that served for fewer maps than LeastWait was of no use, and each time the next one waits
-/// twice as long, up to this: filling one costs a copy and a second search, so that then at most 2 %
-/// is lost where something always begins to move.
+/// A layer that served for fewer maps than LeastWait was of no use, and each time the next one
+/// waits twice as long, up to this: filling one costs a copy and a second search, so that then at
+/// most 2 % is lost where something always begins to move.
 constexpr unsigned LongestWait = 64;
 
 /// Plans without use after which the texture goes: two seconds at 60 frames a second.

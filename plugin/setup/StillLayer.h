@@ -26,21 +26,21 @@ enum class MapDrawing {
     Moving, ///< what moves, over a copy of the layer
 };
 
-/** What stands still of a map's casters, drawn by itself and kept in a texture of the map's size and
-    format, where only some of its casters move.
+/** What stands still of a map's casters, drawn by itself and kept in a texture of the map's size
+    and format, where only some of its casters move.
 
     Which casters stand still is decided when the layer is filled, by how often their fingerprints
     were read and were the same (CasterFingerprint.h). The layer serves for as long as none of these
     changes. Everything else moves: what casts and is not held, whatever it may be.
 
-    Where each texel holds the nearest depth of all that is drawn, in whatever order (NearestDepth.h),
-    the map is the same to the last bit. Who draws it finds out whether something drawn depends on the
-    order after all, and refuses the layer.
+    Where each texel holds the nearest depth of all that is drawn, in whatever order
+    (NearestDepth.h), the map is the same to the last bit. Who draws it finds out whether something
+    drawn depends on the order after all, and refuses the layer.
 */
 class StillLayer {
 public:
-    /// So many maps are drawn whole for their casters before there is a layer: what moves once costs
-    /// no texture.
+    /// So many maps are drawn whole for their casters before there is a layer: what moves once
+    /// costs no texture.
     static constexpr unsigned LeastWait = 4;
 
     StillLayer() = default;
@@ -95,7 +95,8 @@ private:
 
     // What it holds, and shows once it is filled.
     std::unordered_set<const Ogre::MovableObject*> mHeld;
-    /// Whose casters they are. Those with the same fingerprint since this reading, or an earlier one.
+    /// Whose casters they are. Those with the same fingerprint since this reading, or an earlier
+    /// one.
     const CasterFingerprint* mSource = nullptr;
     unsigned long mUnchangedSince = 0;
     Fingerprint mMatrices;

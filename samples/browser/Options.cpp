@@ -80,8 +80,9 @@ std::variant<BrowserOptions, int> parseOptions(int argc, char** argv) {
     app.add_option("--budget", options.budget,
                    "Shadow maps that a frame draws at most; others wait for their turn")
         ->check(CLI::Range(1, 1000));
-    app.add_flag("--proof", options.proof,
-                 "Draw maps that could be kept, or were drawn in layers, once more, and compare them");
+    app.add_flag(
+        "--proof", options.proof,
+        "Draw maps that could be kept, or were drawn in layers, once more, and compare them");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

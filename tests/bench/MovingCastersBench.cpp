@@ -4,12 +4,12 @@
 //                                [--json FILE]
 //
 // The field of lixel-bench-scene, seen from inside by a viewer who stands still, with one sun whose
-// map lasts (lasting_maps), and so stands still too. In each frame a share of the entities moves, and
-// the map is drawn for real by LixelSceneManager: at once, or what moves over a copy of what stands
-// still (moving_apart). "plan" is the time until the map is begun (survey, search, fit, and which
-// casters have changed), "pass" that until it is drawn (`glFinish`), "both" their sum. All ways of
-// drawing take turns of some frames each, and times are medians of wall clock. Frames in which a way
-// of drawing finds its feet are not counted.
+// map lasts (lasting_maps), and so stands still too. In each frame a share of the entities moves,
+// and the map is drawn for real by LixelSceneManager: at once, or what moves over a copy of what
+// stands still (moving_apart). "plan" is the time until the map is begun (survey, search, fit, and
+// which casters have changed), "pass" that until it is drawn (`glFinish`), "both" their sum. All
+// ways of drawing take turns of some frames each, and times are medians of wall clock. Frames in
+// which a way of drawing finds its feet are not counted.
 #include "BenchMaterials.h"
 #include "BenchWatch.h"
 #include "WriteJson.h"

@@ -1,5 +1,5 @@
-// Maps in layers (what stands still, and what moves over it): when they are, and that each texel is that
-// of maps drawn at once, whatever happens to casters.
+// Maps in layers (what stands still, and what moves over it): when they are, and that each texel is
+// that of maps drawn at once, whatever happens to casters.
 #include "CasterDeeds.h"
 #include "ManagerOgre.h"
 #include "Meshes.h"

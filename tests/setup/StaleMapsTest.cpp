@@ -1,5 +1,5 @@
-// Whatever an application does between two frames: a map that is kept shows what it would show if it
-// were drawn anew.
+// Whatever an application does between two frames: a map that is kept shows what it would show if
+// it were drawn anew.
 
 #include "TestStage.h"
 
@@ -361,8 +361,8 @@ void walk(const Changes& changes, ChangesEnd& end) {
         Random random(changes.seed * 0x2545F4914F6CDD1DULL + step);
         end.deeds.push_back(std::to_string(step) + ": " + scene.change(random));
         scene.picture();
-        // Several frames without a change, so that there is something to keep; and as many as it takes
-        // until what stands still is known to.
+        // Several frames without a change, so that there is something to keep; and as many as it
+        // takes until what stands still is known to.
         for (std::size_t still = random.oneIn(5) ? 16 : random.below(6); still > 0; --still) {
             scene.move();
             scene.picture();
