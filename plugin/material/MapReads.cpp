@@ -37,6 +37,18 @@ std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light) {
     return maps;
 }
 
+bool readsSplitDepths(const Ogre::Pass& pass, std::size_t light) {
+    bool reads = false;
+    forPrograms(pass, [&](const Ogre::GpuProgramParameters& parameters) {
+        reads |= std::ranges::any_of(
+            parameters.getAutoConstants(), [&](const AutomaticUniform& automatic) {
+                return isLightCustom(&automatic) && (automatic.data & LightMask) == light &&
+                       boundParameter(automatic) == LP_SPLIT_DEPTHS;
+            });
+    });
+    return reads;
+}
+
 std::vector<std::size_t> shadowUnitsOf(const Ogre::Pass& pass) {
     std::vector<std::size_t> units;
     for (std::size_t i = 0; i < pass.getTextureUnitStates().size(); ++i)

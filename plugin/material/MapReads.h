@@ -19,6 +19,9 @@ bool writesCasterDepth(const Ogre::Pass& pass);
 /// @param light its place among the pass's lights
 std::size_t mapsRead(const Ogre::Pass& pass, std::size_t light);
 
+/// Whether a pass finds a light's map by the depths at which slices end. @param light as mapsRead
+bool readsSplitDepths(const Ogre::Pass& pass, std::size_t light);
+
 /// Indices of a pass's texture units of content_type shadow, in their order. A pass without them
 /// reads no map under integrated techniques, but may bind map rows to fill varyings that it shares.
 std::vector<std::size_t> shadowUnitsOf(const Ogre::Pass& pass);

@@ -21,6 +21,7 @@
 #include <OgreTexture.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -98,6 +99,8 @@ void MaterialCheck::checkMap(const Ogre::Texture& texture, const ShadowMap& map)
     LightMaps& maps = mMaps[&map.light];
     maps.all = std::max(maps.all, map.iteration + 1);
     if (map.fit.hasMap()) maps.used = std::max(maps.used, map.iteration + 1);
+    // The first slice ends somewhere.
+    if (map.iteration == 0) maps.apart = map.part.boundCount > 0 && !std::isfinite(map.part.vsEnd);
     // Not at once: much of a scene may come after its first frame.
     if (map.fit.reason == FitReason::NoReceivers && mViews > FirstLooks &&
         !mManager.getShadowTextureSelfShadow() && !mManager.isShadowTechniqueIntegrated())
@@ -250,6 +253,14 @@ void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& li
         const auto found = mMaps.find(lights[place]);
         if (found == mMaps.end() || !mCounted.emplace(&pass, found->first).second) continue;
         const LightMaps& maps = found->second;
+        if (maps.apart && readsSplitDepths(pass, place))
+            say("material " + quoted(materialOf(pass)) +
+                " finds its map by `lixelSplitDepths`, and "
+                "the maps of light " +
+                quoted(found->first->getName()) +
+                " are not slices by depth: set the option strip_light of its cascades off, or find "
+                "the map as LixelShadow.glsl does" +
+                Manual);
         const std::size_t read = mapsRead(pass, place);
         if (read == 0 || read >= maps.used || shadowUnitsOf(pass).empty()) continue;
         say("material " + quoted(materialOf(pass)) + " reads " + std::to_string(read) +

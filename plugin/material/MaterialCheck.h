@@ -26,6 +26,7 @@ namespace Lixel {
     Each line names the material and what to do, and is logged once. Reported are:
     - surfaces that OGRE will refuse to draw, or that read no shadow map, or fewer than a light has;
     - receivers of another shadow technique;
+    - receivers that find their map by depths which a light's maps do not have;
     - programs whose parameters are bound wrongly, or that look for maps in the wrong units;
     - casters that write another depth than Lixel's receivers compare with;
     - casters and receivers that do not bend what the surface's own program bends, and instances that
@@ -112,6 +113,7 @@ private:
     struct LightMaps {
         std::size_t all = 0;  ///< that it has textures for
         std::size_t used = 0; ///< up to the last one that shows anything
+        bool apart = false;   ///< whether they are parts of another kind than slices by depth
     };
     std::map<const Ogre::Light*, LightMaps> mMaps; ///< this frame's
     /// Formats of this frame's shadow textures that Lixel's casters cannot store their depth in.

@@ -3,6 +3,11 @@
 #include "MaterialScene.h"
 
 #include <Lixel/material/ShadowMaterials.h>
+#include <Lixel/material/ShadowParameters.h>
+#include <Lixel/setup/CascadesShadowCameraSetup.h>
+#include <Lixel/setup/ShadowCameraSetups.h>
+
+#include <algorithm>
 
 namespace Lixel::Tests {
 namespace {
@@ -384,6 +389,42 @@ TEST(MaterialCheck, DropsOwnMaterialsThatDoNotCompile) {
     EXPECT_EQ(plain, scene.draw());
     EXPECT_EQ(log.count("'Test/MadeBroken': its shadow_caster_material 'Test/BrokenReceiver'"), 1U)
         << log.all();
+}
+
+TEST(MaterialCheck, SaysThatMapsAreNoSlices) {
+    MaterialScene scene(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED, "");
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    for (Ogre::Light* const light : scene.lights)
+        light->setCastShadows(light == scene.lights.front());
+    manager.setShadowTextureCountPerLightType(Ogre::Light::LT_DIRECTIONAL, 3);
+    manager.setShadowTextureSettings(512, 3, Ogre::PF_FLOAT32_R);
+    const Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton()
+                                           .getByName("Lixel/Surface/Integrated/Maps3")
+                                           ->clone("Test/BySplitDepths");
+    // As a program of one's own has it.
+    Ogre::GpuProgramParameters& parameters =
+        *material->getTechnique(0)->getPass(0)->getFragmentProgramParameters();
+    const auto& uniforms = parameters.getConstantDefinitions().map;
+    const auto vector = std::ranges::find_if(uniforms, [](const auto& uniform) {
+        return uniform.first.starts_with("lixelRowShare") &&
+               uniform.second.constType == Ogre::GCT_FLOAT4;
+    });
+    ASSERT_NE(vector, uniforms.end());
+    parameters.setNamedAutoConstant(vector->first, Ogre::GpuProgramParameters::ACT_LIGHT_CUSTOM,
+                                    static_cast<Ogre::uint32>(LP_SPLIT_DEPTHS) << 16U);
+    scene.wear("Test/BySplitDepths");
+    for (const bool strips : {false, true}) {
+        scene.lights.front()->setCustomShadowCameraSetup(CascadesShadowCameraSetup::create(
+            UniformShadowCameraSetup::create(), CascadeOptions{.stripLight = strips}));
+        LogCollector log;
+        for (int frame = 0; frame < 200; ++frame)
+            scene.draw();
+        EXPECT_EQ(
+            log.count("'Test/BySplitDepths' finds its map by `lixelSplitDepths`, and the maps "
+                      "of light"),
+            strips ? 1U : 0U)
+            << log.all();
+    }
 }
 
 TEST(MaterialCheck, SaysThatNothingReceives) {
