@@ -86,7 +86,8 @@ public:
           bounds;
         - of a setup that does not say that it depends on its options alone
           (FittedShadowCameraSetup::dependsOnlyOnOptions);
-        - while the shapes of meshes are being read, and while visible points are set in each frame.
+        - while the shapes of meshes are being read, and while visible points are set in each frame;
+        - whose matrices alone an application asks a setup for in each frame, for the same viewer.
 
         A broken promise shows stale shadows. setProofMode finds it where maps are at rest: those
         that would be kept without a look are fitted and drawn nevertheless, and compared. */

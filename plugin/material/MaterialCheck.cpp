@@ -257,10 +257,11 @@ void MaterialCheck::checkReads(const Ogre::Pass& pass, const Ogre::LightList& li
             say("material " + quoted(materialOf(pass)) +
                 " finds its map by `lixelSplitDepths`, and "
                 "the maps of light " +
-                quoted(found->first->getName()) +
-                " are not slices by depth: set the option strip_light of its cascades off, or find "
-                "the map as LixelShadow.glsl does" +
-                Manual);
+                quoted(found->first->getName()) + " are not slices by depth: " +
+                (found->first->getType() == Ogre::Light::LT_DIRECTIONAL
+                     ? "set the option strip_light of its cascades off, or "
+                     : "") +
+                "find the map as LixelShadow.glsl does" + Manual);
         const std::size_t read = mapsRead(pass, place);
         if (read == 0 || read >= maps.used || shadowUnitsOf(pass).empty()) continue;
         say("material " + quoted(materialOf(pass)) + " reads " + std::to_string(read) +

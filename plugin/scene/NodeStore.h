@@ -112,8 +112,7 @@ public:
     /// What was read of a node's only object, as bits.
     enum Known : std::uint8_t {
         NothingKnown = 0,
-        DrawsKnown = 1,
-        Draws = 2,
+        Draws = 2, ///< known where ReceivesKnown is
         CastsKnown = 4,
         Casts = 8, ///< where it is drawn
         ReceivesKnown = 16,
@@ -213,9 +212,9 @@ private:
 
 /// The store of a scene manager that keeps one, or null.
 LIXEL_API NodeStore* findStore(const Ogre::SceneManager& manager);
-/// Tells findStore of a scene manager's store; null when it goes.
 /// Announces a change in all of them.
 LIXEL_API void announceChangeInStores();
+/// Tells findStore of a scene manager's store; null when it goes.
 LIXEL_API void setStore(const Ogre::SceneManager& manager, NodeStore* store);
 
 } // namespace Lixel

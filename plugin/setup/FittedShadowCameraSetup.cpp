@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace Lixel {
 namespace {
@@ -307,8 +308,10 @@ void FittedShadowCameraSetup::prepareMap(const Request& request, const ShadowTar
     ShownMap shown{lasting != nullptr ? lasting->fit : result,
                    relocated(*part, survey.wsOrigin() - wsOrigin), wsOrigin};
     const bool readsEach = mCommon.movingApart && drawsLayers(*viewer.getSceneManager());
+    bool isRead = false;
     const auto readCasters = [&]() -> const CasterFingerprint& {
         if (lasting == nullptr) return castersOf(memory, readsEach);
+        if (std::exchange(isRead, true)) return lasting->fingerprint;
         // It was drawn for a region of its own, and other casters reach into that.
         lasting->search.findIn(survey, memory.volumes.at(iteration).volume());
         lasting->fingerprint.take(lasting->search, readsEach);
@@ -503,14 +506,15 @@ MapDecision FittedShadowCameraSetup::draw(const Request& request, const ShadowPr
                              ? planMap(request.shadowCamera, request.viewport, shown.fit, target,
                                        casters.readsAtOnce, casters.read)
                              : PlannedMap{{MapPlan::Draw, PlanReason::Forbidden, {}}, {}};
-    StillLayer* const layer = planLayer(request, target, planned, memory, casters);
     if (postpones(request, problem, target, planned, memory, shown)) {
         shown = memory.drawn.at(request.iteration)->shown;
         placeShadowCamera(request.shadowCamera, shown.fit, shown.wsOrigin);
         volume.set(shown.fit, shown.wsOrigin);
         keepShadowPass(request.shadowCamera, volume);
+        if (StillLayer* const layer = memory.layers.at(request.iteration).get()) layer->rest();
         return {MapPlan::Reuse, PlanReason::Postponed, {}};
     }
+    StillLayer* const layer = planLayer(request, target, planned, memory, casters);
     const bool keeps = planned.decision.plan == MapPlan::Reuse;
     if (isProofMode() && (keeps || believed))
         proveShadowPass(request.shadowCamera, volume, planned.content, target);

@@ -52,6 +52,13 @@ Fingerprint matricesOf(const Ogre::Camera& shadowCamera, const ShadowFit& fit) {
     matrices.add(std::span<const float>(projection[0], 16));
     matrices.add(
         std::array{static_cast<float>(fit.depthScale), static_cast<float>(fit.depthOffset)});
+    // What culls casters: it may change while the map stands still, as a stable one does, when
+    // something comes to where a caster shadowed nothing before.
+    for (const Vec2& vertex : fit.liFocus.span()) {
+        matrices.add(vertex.x());
+        matrices.add(vertex.y());
+    }
+    matrices.add(fit.lsFar);
     return matrices;
 }
 

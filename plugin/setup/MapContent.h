@@ -22,7 +22,7 @@ struct ShadowFit;
 struct MapContent {
     /// No caster at all: cleared.
     bool empty = false;
-    /// Where it was drawn from.
+    /// Where it was drawn from. @see matricesOf
     Fingerprint matrices;
     /// How it was drawn.
     Fingerprint settings;
@@ -33,7 +33,8 @@ struct MapContent {
     std::size_t textureState = 0;
 };
 
-/// A placed shadow camera's matrices, and the depths that its casters store.
+/// A placed shadow camera's matrices, the depths that its casters store, and the volume that culls
+/// them.
 Fingerprint matricesOf(const Ogre::Camera& shadowCamera, const ShadowFit& fit);
 
 /// All that decides on how casters are drawn, except the casters.

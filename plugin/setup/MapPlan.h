@@ -12,10 +12,12 @@ namespace Lixel {
 
 /// What is done with a shadow map in one frame.
 enum class MapPlan {
-    Draw,       ///< its casters are drawn
-    DrawMoving, ///< those that move are drawn, over a copy of what stands still
-    Reuse,      ///< its texture shows just that already, and is kept
-    Skip,       ///< nothing in view is shadowed: its texture is empty
+    Draw, ///< its casters are drawn
+    /// Those that move are drawn, over a copy of what stands still; or all, where it turns out that
+    /// the copy does not do.
+    DrawMoving,
+    Reuse, ///< its texture shows just that already, and is kept
+    Skip,  ///< nothing in view is shadowed: its texture is empty
 };
 
 /// Why.

@@ -24,6 +24,10 @@
 namespace Lixel {
 namespace {
 
+/// Watching a light costs a reading of its casters: where something may look different without a
+/// word, it is tried again a few times a second.
+constexpr unsigned FramesOfDoubt = 15;
+
 /// All that outlives a frame and may have the next one's maps be others.
 Fingerprint memoriesOf(const LightMemory& memory) {
     Fingerprint all;
@@ -98,12 +102,17 @@ bool StillLight::begin(const std::optional<Fingerprint>& situation, LightMemory&
     }
     const bool isSame = mSituation == situation;
     mSituation = situation;
+    if (!isSame)
+        mFramesToWait = 0;
+    else if (mIsDoubted)
+        mFramesToWait = FramesOfDoubt;
     if (isSame && mRests) return true;
     mRests = isSame && !mIsDoubted && !mMaps.empty() && mMaps.size() == memory.maps &&
              mMemories == memoriesOf(memory);
     if (!mRests) watch(memory);
     // What changes in each frame is not looked at twice.
-    mIsWatched = isSame && !mRests;
+    mIsWatched = isSame && !mRests && mFramesToWait == 0;
+    if (mFramesToWait > 0) --mFramesToWait;
     return mRests;
 }
 

@@ -80,6 +80,8 @@ private:
     bool mRests = false;
     bool mIsWatched = false;
     bool mIsDoubted = false;
+    /// Until it is watched again.
+    unsigned mFramesToWait = 0;
 };
 
 /// Adds all of a light, viewer and scene manager that a light's maps depend on.

@@ -119,7 +119,7 @@ public:
         mSearch.find(mSurvey, {.wsDirection = toDouble(mScene.sun().getDerivedDirection())},
                      mScene.shadowDistance());
         const auto begin = std::chrono::steady_clock::now();
-        mFingerprint.take(mSearch);
+        mFingerprint.take(mSearch, true); // as with the option moving_apart
         return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin)
             .count();
     }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace Lixel::Tests {
 namespace {
@@ -185,7 +186,10 @@ private:
             mGains.push_back(1.0 - std::exp(mBefore[i]->logDensity - mAfter[i]->logDensity));
         }
         mResult.greatest = std::max(mResult.greatest, greatest);
-        if (quantile(mTurns, 0.5) > LeastJump) {
+        const double turn = quantile(mTurns, 0.5);
+        mTurnsBefore.resize(std::max(mTurnsBefore.size(), map + 1));
+        const double turnBefore = std::exchange(mTurnsBefore[map], turn);
+        if (turn > LeastJump && turn > SuddenTurn * turnBefore) {
             ++mResult.jumps;
             mResult.leastGain = std::min(mResult.leastGain, quantile(mGains, 0.5));
             return;
@@ -203,6 +207,7 @@ private:
     std::vector<double> mAll;
     std::vector<double> mTurns;
     std::vector<double> mGains;
+    std::vector<double> mTurnsBefore; ///< of each map, in degrees
     Steadiness mResult;
 };
 

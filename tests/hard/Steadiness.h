@@ -43,6 +43,10 @@ constexpr double MostChange = 0.02;
 /// which an orientation may be given up, when it turns by 0.1 / (r + 1 / r): by more than this up
 /// to r = 5.
 constexpr double LeastJump = 1.0;
+/// How many times as far a jump turns it as the frame before did. What turns gradually is no jump: it
+/// has to keep within MostChange. (Where a map is narrow, a warp that follows turns texels' sides by
+/// one or two degrees and changes m by 0.006.)
+constexpr double SuddenTurn = 2.0;
 
 /// Contract of a fit, 7: the share of its area that a jump must save.
 constexpr double LeastGain = 0.1;

@@ -455,7 +455,7 @@ protected:
             EXPECT_GT(compared, 10 * walksOfATest());
         }
         EXPECT_GT(kept, 25 * walksOfATest());
-        if (GetParam() == "LixelSceneManager") {
+        if (GetParam().managerType == "LixelSceneManager") {
             EXPECT_GT(layered, 5 * walksOfATest());
         } else {
             EXPECT_EQ(layered, 0U);

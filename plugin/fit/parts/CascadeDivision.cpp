@@ -104,6 +104,12 @@ public:
         return mNow.parts;
     }
 
+    /// What there was in the frame before, without a judgement.
+    LightPartition keep(const Division& slices) {
+        mSlices = &slices;
+        return current().parts;
+    }
+
 private:
     static constexpr std::size_t Ways = 3;
 
@@ -276,13 +282,16 @@ LightPartition divideView(const ShadowProblem& problem, std::size_t count,
     const bool mayStrip = options.stripLight && options.followReceivers &&
                           options.vsSplitDepths.empty() && !(vsPadding > 0.0);
     // Without splits there is nothing to divide, and the scratch memory is another problem's.
-    if (!mayStrip || vsSplits.empty() || slices.parts.count != vsSplits.size() + 1 ||
-        scratch.samples.size() < FewestSamples || scratch.region.liHull.size() < 3) {
+    const bool isCut = !std::isfinite(memory.change);
+    const std::size_t parts = slices.parts.count;
+    const bool isTooFew = scratch.samples.size() < FewestSamples;
+    if (!mayStrip || vsSplits.empty() || parts != vsSplits.size() + 1 ||
+        scratch.region.liHull.size() < 3 || (isTooFew && (isCut || memory.strips.count != parts))) {
         memory.strips.count = 0;
         return slices.parts;
     }
-    return Divider(problem, slices.parts.count, memory.strips, scratch, technique)
-        .divide(slices, memory.change);
+    Divider divider(problem, parts, memory.strips, scratch, technique);
+    return isTooFew ? divider.keep(slices) : divider.divide(slices, memory.change);
 }
 
 } // namespace Lixel
