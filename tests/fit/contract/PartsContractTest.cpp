@@ -35,10 +35,9 @@ std::vector<Combination> combinations() {
     const Trial face{"Face", &cubeFace, cubeFace.makeOptions(nullptr)};
     for (const Trial& trial : trialsThatServeAll())
         add(divisionNamed("Slices"), trial);
-    for (const char* const name : {"Uniform", "XPSM", "Optimal"}) {
-        add(divisionNamed("Strips"), trialNamed(name));
-        add(divisionNamed("Chosen"), trialNamed(name));
-    }
+    add(divisionNamed("Strips"), trialNamed("Uniform"));
+    add(divisionNamed("Strips"), trialNamed("Optimal"));
+    add(divisionNamed("Chosen"), trialNamed("Optimal"));
     add(divisionNamed("Faces"), face);
     add(divisionNamed("FacesOfAPoint"), face);
     for (const char* const name : {"Uniform", "Uniform_stable", "Optimal"}) {
