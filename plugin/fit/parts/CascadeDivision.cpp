@@ -27,19 +27,35 @@ constexpr std::size_t FewestSamples = 16;
 /// A strip narrower than this share of the light image's extent is not for any map.
 constexpr double LeastShare = 1e-3;
 
+/// A number for each border between parts; those behind the last one are 0.
+using BorderNumbers = std::array<double, ShadowPart::MostBounds>;
+
 /// One way to divide: by depth, or across a direction of the light image.
 struct Division {
     /// Zero: by depth.
     Vec2 liDirection = Vec2::Zero();
+    /// Where strips meet, as shares of the focus region's extent along the direction.
+    BorderNumbers shares{};
     /// Where parts meet, as depths or along the direction.
-    std::span<const double> splits;
+    BorderNumbers splits{};
     LightPartition parts;
 
     bool isByDepth() const { return liDirection.isZero(0.0); }
     std::size_t partOf(const ViewSample& sample) const {
         const double at = isByDepth() ? sample.vsDepth : liDirection.dot(sample.liPoint);
-        return static_cast<std::size_t>(std::ranges::upper_bound(splits, at) - splits.begin());
+        const auto used = std::span(splits).first(parts.count - 1);
+        return static_cast<std::size_t>(std::ranges::upper_bound(used, at) - used.begin());
     }
+};
+
+/// The ends of a polygon along a direction.
+struct Extent {
+    Extent(const Polygon2& liHull, const Vec2& liDirection)
+        : liBegin(-support(liHull, -liDirection)), liEnd(support(liHull, liDirection)) {}
+    double size() const { return liEnd - liBegin; }
+
+    double liBegin;
+    double liEnd;
 };
 
 /// A range of a direction of the light image, and the samples in it.
@@ -81,19 +97,19 @@ Cut bestCut(const Strip& strip) {
 /// Divides one problem, and judges divisions of it.
 class Divider {
 public:
-    Divider(const ShadowProblem& problem, std::size_t count, StripMemory& memory,
+    /// @param slices by depth
+    Divider(const ShadowProblem& problem, const Division& slices, StripMemory& memory,
             CascadeScratch& scratch, const PartFit& technique)
         : mProblem(problem),
           mImage(problem.light),
-          mCount(count),
+          mSlices(slices),
+          mCount(slices.parts.count),
           mMemory(memory),
           mScratch(scratch),
           mTechnique(technique) {}
 
-    /// @param slices by depth
     /// @param change since the frame before, infinite after a camera cut
-    LightPartition divide(const Division& slices, double change) {
-        mSlices = &slices;
+    LightPartition divide(double change) {
         if (mMemory.count != mCount || !std::isfinite(change)) return begin();
         mNow = current();
         mMemory.change += change;
@@ -105,10 +121,7 @@ public:
     }
 
     /// What there was in the frame before, without a judgement.
-    LightPartition keep(const Division& slices) {
-        mSlices = &slices;
-        return current().parts;
-    }
+    LightPartition keep() { return current().parts; }
 
 private:
     static constexpr std::size_t Ways = 3;
@@ -143,49 +156,43 @@ private:
         if (division.isByDepth()) return;
         const Vec3 lsDirection(division.liDirection.x(), division.liDirection.y(), 0.0);
         mMemory.wsDirection = mImage.lsFromWs().transpose() * lsDirection;
-        mMemory.shares = mShares;
+        mMemory.shares = division.shares;
     }
 
     /// By depth, and along both sides of the rectangle around the focus region.
     Division ofWay(std::size_t way) {
-        if (way == 0) return *mSlices;
+        if (way == 0) return mSlices;
         const OrientedRectangle rectangle = smallestRectangle(hull());
         Vec2 direction(std::cos(rectangle.angle), std::sin(rectangle.angle));
         if (way == 2) direction = Vec2(-direction.y(), direction.x());
-        return strips(direction, sharesOf(direction));
+        return strips(direction,
+                      stripShares(mScratch.samples, hull(), direction, mCount, mScratch.demands));
     }
 
     /// What the frame before had, as it is now.
     Division current() {
-        if (mMemory.wsDirection.isZero(0.0)) return *mSlices;
+        if (mMemory.wsDirection.isZero(0.0)) return mSlices;
         Vec2 direction = (mImage.lsFromWs() * mMemory.wsDirection).head<2>();
         // A light that has turned into the strips' direction.
         constexpr double LeastSine = 0.1;
         if (!(direction.norm() > LeastSine)) {
-            take(*mSlices);
+            take(mSlices);
             ++mMemory.jumps;
-            return *mSlices;
+            return mSlices;
         }
         direction.normalize();
         return strips(direction, mMemory.shares);
     }
 
-    using Shares = std::array<double, ShadowPart::MostBounds>;
-
-    Shares sharesOf(const Vec2& liDirection) {
-        return stripShares(mScratch.samples, hull(), liDirection, mCount, mScratch.demands);
-    }
-
-    Division strips(const Vec2& liDirection, const Shares& shares) {
-        mShares = shares;
-        const double liBegin = -support(hull(), -liDirection);
-        const double liEnd = support(hull(), liDirection);
-        Division division{.liDirection = liDirection, .splits = {}, .parts = {}};
-        std::array<double, ShadowPart::MostBounds>& splits = mSplits[mUsed++ % mSplits.size()];
+    Division strips(const Vec2& liDirection, const BorderNumbers& shares) const {
+        Division division;
+        division.liDirection = liDirection;
+        division.shares = shares;
+        const Extent extent(hull(), liDirection);
         for (std::size_t i = 0; i + 1 < mCount; ++i)
-            splits[i] = liBegin + shares[i] * (liEnd - liBegin);
-        division.splits = std::span(splits).first(mCount - 1);
-        division.parts = stripLight(mProblem.light, mImage, liDirection, division.splits);
+            division.splits[i] = extent.liBegin + shares[i] * extent.size();
+        division.parts = stripLight(mProblem.light, mImage, liDirection,
+                                    std::span(division.splits).first(mCount - 1));
         return division;
     }
 
@@ -210,17 +217,12 @@ private:
 
     const ShadowProblem& mProblem;
     const LightImage mImage;
+    const Division& mSlices;
     std::size_t mCount;
     StripMemory& mMemory;
     CascadeScratch& mScratch;
     const PartFit& mTechnique;
-    const Division* mSlices = nullptr;
     Division mNow;
-    /// Of the strips made last.
-    Shares mShares{};
-    /// Splits of those in use: what there is, and what is judged.
-    std::array<Shares, Ways> mSplits{};
-    std::size_t mUsed = 0;
 };
 
 } // namespace
@@ -232,12 +234,11 @@ stripShares(const std::vector<ViewSample>& samples, const Polygon2& liHull, cons
     for (const ViewSample& sample : samples)
         demands.emplace_back(liDirection.dot(sample.liPoint), std::sqrt(sample.ndcFromLi.norm()));
     std::ranges::sort(demands);
-    const double liBegin = -support(liHull, -liDirection);
-    const double liEnd = support(liHull, liDirection);
+    const Extent extent(liHull, liDirection);
 
-    std::array<double, ShadowPart::MostBounds> shares{};
+    BorderNumbers shares{};
     std::array<Strip, ShadowPart::Most> strips;
-    strips[0] = {liBegin, liEnd, demands};
+    strips[0] = {extent.liBegin, extent.liEnd, demands};
     // The strip that gains most is cut in two, until there are enough.
     for (std::size_t made = 1; made < std::min(count, ShadowPart::Most); ++made) {
         Cut best;
@@ -261,7 +262,7 @@ stripShares(const std::vector<ViewSample>& samples, const Polygon2& liHull, cons
         strips[where + 1] = {best.li, whole.liEnd, whole.demands.subspan(best.before)};
     }
     for (std::size_t i = 0; i + 1 < count; ++i)
-        shares[i] = (strips[i].liEnd - liBegin) / (liEnd - liBegin);
+        shares[i] = (strips[i].liEnd - extent.liBegin) / extent.size();
     // Strips of no width would be no parts.
     for (std::size_t i = 0; i + 1 < count; ++i)
         shares[i] = std::clamp(shares[i], LeastShare * static_cast<double>(i + 1),
@@ -276,9 +277,8 @@ LightPartition divideView(const ShadowProblem& problem, std::size_t count,
                           CascadeScratch& scratch, std::vector<double>& vsSplits,
                           const PartFit& technique) {
     cascadeSplits(problem, count, options, memory, scratch, vsSplits);
-    const Division slices{.liDirection = Vec2::Zero(),
-                          .splits = vsSplits,
-                          .parts = sliceView(problem.viewer, problem.light, vsSplits, vsPadding)};
+    Division slices;
+    slices.parts = sliceView(problem.viewer, problem.light, vsSplits, vsPadding);
     const bool mayStrip = options.stripLight && options.followReceivers &&
                           options.vsSplitDepths.empty() && !(vsPadding > 0.0);
     // Without splits there is nothing to divide, and the scratch memory is another problem's.
@@ -290,8 +290,9 @@ LightPartition divideView(const ShadowProblem& problem, std::size_t count,
         memory.strips.count = 0;
         return slices.parts;
     }
-    Divider divider(problem, parts, memory.strips, scratch, technique);
-    return isTooFew ? divider.keep(slices) : divider.divide(slices, memory.change);
+    std::ranges::copy(vsSplits, slices.splits.begin());
+    Divider divider(problem, slices, memory.strips, scratch, technique);
+    return isTooFew ? divider.keep() : divider.divide(memory.change);
 }
 
 } // namespace Lixel
