@@ -44,12 +44,14 @@ bool isForeign(const Listener& listener) {
 
 } // namespace
 
+void addMatrices(const Ogre::Camera& camera, Fingerprint& fingerprint) {
+    fingerprint.add(std::span<const float>(camera.getViewMatrix(true)[0], 12));
+    fingerprint.add(std::span<const float>(camera.getProjectionMatrix()[0], 16));
+}
+
 Fingerprint matricesOf(const Ogre::Camera& shadowCamera, const ShadowFit& fit) {
     Fingerprint matrices;
-    const Ogre::Affine3& view = shadowCamera.getViewMatrix(true);
-    const Ogre::Matrix4& projection = shadowCamera.getProjectionMatrix();
-    matrices.add(std::span<const float>(view[0], 12));
-    matrices.add(std::span<const float>(projection[0], 16));
+    addMatrices(shadowCamera, matrices);
     matrices.add(
         std::array{static_cast<float>(fit.depthScale), static_cast<float>(fit.depthOffset)});
     // What culls casters: it may change while the map stands still, as a stable one does, when

@@ -33,6 +33,9 @@ struct MapContent {
     std::size_t textureState = 0;
 };
 
+/// Adds a camera's own view and projection matrix, not those of a culling frustum.
+void addMatrices(const Ogre::Camera& camera, Fingerprint& fingerprint);
+
 /// A placed shadow camera's matrices, the depths that its casters store, and the volume that culls
 /// them.
 Fingerprint matricesOf(const Ogre::Camera& shadowCamera, const ShadowFit& fit);

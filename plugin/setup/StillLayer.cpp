@@ -38,8 +38,7 @@ constexpr std::size_t LeastStillShare = 4;
 
 Fingerprint placeOf(const Ogre::Camera& shadowCamera) {
     Fingerprint place;
-    place.add(std::span<const float>(shadowCamera.getViewMatrix(true)[0], 12));
-    place.add(std::span<const float>(shadowCamera.getProjectionMatrix()[0], 16));
+    addMatrices(shadowCamera, place);
     return place;
 }
 

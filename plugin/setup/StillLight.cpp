@@ -3,6 +3,7 @@
 #include "scene/MeshShapes.h"
 #include "scene/NodeStore.h"
 #include "scene/OgreVersions.h"
+#include "setup/MapContent.h"
 #include "setup/SetupMemory.h"
 #include "setup/ShadowPass.h"
 
@@ -61,9 +62,7 @@ void addOgreVector(const Ogre::Vector3& vector, Fingerprint& fingerprint) {
 }
 
 void addViewer(const Ogre::Camera& viewer, Fingerprint& situation) {
-    const Ogre::Affine3& view = viewer.getViewMatrix(true);
-    situation.add(std::span<const float>(view[0], 12));
-    situation.add(std::span<const float>(viewer.getProjectionMatrix()[0], 16));
+    addMatrices(viewer, situation);
     addOgreVector(viewer.getDerivedPosition(), situation);
     situation.add(std::uint64_t{viewer.isReflected()} << 2U |
                   std::uint64_t{viewer.isCustomViewMatrixEnabled()} << 1U |
