@@ -56,6 +56,7 @@ void BenchWatch::shadowMapFitted(const ShadowMap& map) {
     mTimes.survey += map.surveyMicroseconds;
     mTimes.casters += map.casterMicroseconds;
     mTimes.fit += map.fitMicroseconds;
+    mTimes.plan = map.decision.plan;
 }
 
 void BenchWatch::preRenderTargetUpdate(const Ogre::RenderTargetEvent&) {

@@ -3,6 +3,7 @@
 #include "BenchScene.h"
 
 #include "scene/OgreVersions.h"
+#include "setup/MapPlan.h"
 #include "setup/ShadowMapObserver.h"
 
 #include <OgreRenderTargetListener.h>
@@ -11,7 +12,7 @@
 
 namespace Lixel::Tests {
 
-/// What one frame took, in microseconds of wall clock.
+/// What one frame took, in microseconds of wall clock, and what was done with its last map.
 struct BenchTimes {
     double frame = 0;
     double survey = 0;
@@ -22,6 +23,7 @@ struct BenchTimes {
     double untilMap = 0; ///< until the last map was begun: its survey, casters, fit and plan
     double map = 0;
     double mapCalls = 0; ///< the same, until the last call was made
+    MapPlan plan = MapPlan::Skip;
 };
 
 /// Times a scene's frames and their parts.

@@ -7,6 +7,7 @@
 // batches. "main thread" is the time until the last draw call of the pass is made, and "pass" that
 // until all is drawn (`glFinish`). All ways of drawing take turns of a few frames each, and times
 // are medians of wall clock.
+#include "BenchMain.h"
 #include "BenchMaterials.h"
 #include "BenchWatch.h"
 #include "WriteJson.h"
@@ -16,7 +17,6 @@
 #include "material/ShadowParameters.h"
 #include "setup/ShadowCameraSetups.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <OgreFrameListener.h>
@@ -165,20 +165,8 @@ int main(int argc, char** argv) {
     using namespace Lixel::Tests;
     CastersOptions options;
     CLI::App app("What drawing shadow casters costs");
-    app.add_option("--objects", options.objects, "how many entities; several times or a list")
-        ->delimiter(',')
-        ->check(CLI::Range(2, 10000000))
-        ->capture_default_str();
-    app.add_option("--frames", options.frames, "how many to measure of each kind")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    app.add_option("--json", options.json, "file to write all numbers to");
-    CLI11_PARSE(app, argc, argv);
-    try {
-        runCasters(options);
-        return 0;
-    } catch (const std::exception& exception) {
-        std::fprintf(stderr, "lixel-bench-casters: %s\n", exception.what());
-        return 1;
-    }
+    addObjects(app, options.objects);
+    addFrames(app, options.frames);
+    addJson(app, options.json);
+    return runBench("lixel-bench-casters", app, argc, argv, [&] { runCasters(options); });
 }

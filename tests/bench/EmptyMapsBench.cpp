@@ -5,6 +5,7 @@
 // A few boxes on a ground, drawn for real, by Lixel's scene manager and by OGRE's default one: with no
 // shadows at all, and with lights whose maps have nothing to show. All take turns of some frames each,
 // with a viewer who turns a little; times are medians of wall clock until all is drawn.
+#include "BenchMain.h"
 #include "FinishDrawing.h"
 #include "HeadlessOgre.h"
 #include "WriteJson.h"
@@ -14,7 +15,6 @@
 #include "setup/ShadowCameraSetups.h"
 #include "setup/ShadowMapObserver.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <OgreCamera.h>
@@ -237,19 +237,12 @@ void runEmptyMaps(int frames, const std::string& jsonFile) {
 } // namespace Lixel::Tests
 
 int main(int argc, char** argv) {
+    using namespace Lixel::Tests;
     int frames = 120;
     std::string jsonFile;
     CLI::App app("What lights and maps without shadows cost");
-    app.add_option("--frames", frames, "how many to measure of each kind")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    app.add_option("--json", jsonFile, "file to write all numbers to");
-    CLI11_PARSE(app, argc, argv);
-    try {
-        Lixel::Tests::runEmptyMaps(frames, jsonFile);
-        return 0;
-    } catch (const std::exception& exception) {
-        std::fprintf(stderr, "lixel-bench-empty-maps: %s\n", exception.what());
-        return 1;
-    }
+    addFrames(app, frames);
+    addJson(app, jsonFile);
+    return runBench("lixel-bench-empty-maps", app, argc, argv,
+                    [&] { runEmptyMaps(frames, jsonFile); });
 }

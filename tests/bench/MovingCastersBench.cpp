@@ -10,6 +10,7 @@
 // which casters have changed), "pass" that until it is drawn (`glFinish`), "both" their sum. All
 // ways of drawing take turns of some frames each, and times are medians of wall clock. Frames in
 // which a way of drawing finds its feet are not counted.
+#include "BenchMain.h"
 #include "BenchMaterials.h"
 #include "BenchWatch.h"
 #include "WriteJson.h"
@@ -19,7 +20,6 @@
 #include "material/ShadowParameters.h"
 #include "setup/ShadowCameraSetups.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <OgreFrameListener.h>
@@ -57,22 +57,6 @@ struct MovingRow {
     std::vector<double> both;
 };
 
-/// Counts maps that are drawn over a copy of what stands still.
-class LayeredMaps : private ShadowMapObserver {
-public:
-    LayeredMaps() { addShadowMapObserver(*this); }
-    ~LayeredMaps() override { removeShadowMapObserver(*this); }
-    LayeredMaps(const LayeredMaps&) = delete;
-    LayeredMaps& operator=(const LayeredMaps&) = delete;
-
-    std::size_t count = 0;
-
-private:
-    void shadowMapFitted(const ShadowMap& map) override {
-        count += map.decision.plan == MapPlan::DrawMoving ? 1U : 0U;
-    }
-};
-
 void drawMovingFrame(Ogre::Root& root, BenchScene& scene, BenchWatch& watch, MovingRow* row,
                      std::size_t moving, int frame) {
     scene.move(moving, frame);
@@ -87,6 +71,7 @@ void drawMovingFrame(Ogre::Root& root, BenchScene& scene, BenchWatch& watch, Mov
     row->pass.push_back(times.map);
     row->both.push_back(times.untilMap + times.map);
     row->drawCalls = scene.mapDrawCalls();
+    row->layered += times.plan == MapPlan::DrawMoving ? 1U : 0U;
 }
 
 std::vector<MovingRow> measureMoving(HeadlessOgre& ogre, std::size_t objects, int map,
@@ -126,10 +111,8 @@ std::vector<MovingRow> measureMoving(HeadlessOgre& ogre, std::size_t objects, in
             const std::size_t count = objects * static_cast<std::size_t>(row->moving) / 100;
             for (int frame = 0; frame < FramesToSettle; ++frame)
                 drawMovingFrame(ogre.root(), scene, watch, nullptr, count, frame);
-            const LayeredMaps layered;
             for (int frame = 0; frame < FramesOfATurn; ++frame)
                 drawMovingFrame(ogre.root(), scene, watch, row, count, frame);
-            row->layered += layered.count;
         }
     }
     return rows;
@@ -177,10 +160,7 @@ int main(int argc, char** argv) {
     using namespace Lixel::Tests;
     MovingOptions options;
     CLI::App app("What drawing shadow casters costs where some of them move");
-    app.add_option("--objects", options.objects, "how many entities; several times or a list")
-        ->delimiter(',')
-        ->check(CLI::Range(2, 10000000))
-        ->capture_default_str();
+    addObjects(app, options.objects);
     app.add_option("--moving", options.moving, "how many percent of them move in each frame")
         ->delimiter(',')
         ->check(CLI::Range(0, 100))
@@ -189,16 +169,7 @@ int main(int argc, char** argv) {
         ->delimiter(',')
         ->check(CLI::Range(16, 8192))
         ->capture_default_str();
-    app.add_option("--frames", options.frames, "how many to measure of each kind")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    app.add_option("--json", options.json, "file to write all numbers to");
-    CLI11_PARSE(app, argc, argv);
-    try {
-        runMoving(options);
-        return 0;
-    } catch (const std::exception& exception) {
-        std::fprintf(stderr, "lixel-bench-moving-casters: %s\n", exception.what());
-        return 1;
-    }
+    addFrames(app, options.frames);
+    addJson(app, options.json);
+    return runBench("lixel-bench-moving-casters", app, argc, argv, [&] { runMoving(options); });
 }

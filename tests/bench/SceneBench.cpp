@@ -10,10 +10,9 @@
 // case. All ways of drawing take turns of a few frames each, and times are medians of wall clock: an
 // idle core is all that the machine needs to give. With --build: what it takes to fill the scene,
 // to move everything once, and to empty it, and how much memory that is.
+#include "BenchMain.h"
 #include "BenchTable.h"
 #include "WriteJson.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -57,25 +56,13 @@ int main(int argc, char** argv) {
     SceneBenchOptions options;
     options.frames.managers = {DefaultManager, OctreeManager, FlatManager};
     CLI::App app("What scene managers cost, in whole frames");
-    app.add_option("--objects", options.objects, "how many entities; several times or a list")
-        ->delimiter(',')
-        ->check(CLI::Range(2, 10000000))
-        ->capture_default_str();
-    app.add_option("--frames", options.frames.frames, "how many to measure of each kind")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
+    addObjects(app, options.objects);
+    addFrames(app, options.frames.frames);
     app.add_option("--manager", options.frames.managers, "types of scene managers")
         ->delimiter(',')
         ->capture_default_str();
     app.add_flag("--draw", options.frames.draws, "draw what is found");
     app.add_flag("--build", options.builds, "measure filling and emptying the scene instead");
-    app.add_option("--json", options.json, "file to write all numbers to");
-    CLI11_PARSE(app, argc, argv);
-    try {
-        run(options);
-        return 0;
-    } catch (const std::exception& exception) {
-        std::fprintf(stderr, "lixel-bench-scene: %s\n", exception.what());
-        return 1;
-    }
+    addJson(app, options.json);
+    return runBench("lixel-bench-scene", app, argc, argv, [&] { run(options); });
 }

@@ -6,11 +6,13 @@
 // drawn with Lixel/Caster. First each setup is drawn until its map has come to rest. Then all take
 // turns of some frames: with each setup while the application announces changes
 // (LixelSceneManager::setChangesAnnounced) and while it does not, each frame right after one without
-// shadows. Nothing of the view is drawn: OGRE
-// finds what is visible, queues it, and is then told to skip it; and then the same drawn for real and
-// waited for. Frames' times are medians of CPU time, of all threads. "shadows" is how much longer a frame takes than the one
-// before it; and what that is made of: "survey", "casters" and "fit" as setups measure
-// them, "read" the reading of casters' fingerprints by itself, and the "rest".
+// shadows. At first nothing of the view is drawn: OGRE finds what is visible, queues it, and is then
+// told to skip it. Then the same is drawn for real and waited for. Frames' times are medians of CPU
+// time, of all threads. "shadows" is how much longer a frame takes than the one before it. It is made
+// of "survey", "casters" and "fit" as setups measure them, "read", the reading of casters'
+// fingerprints by itself, and the "rest".
+#include "BenchMain.h"
+#include "BenchMaterials.h"
 #include "BenchWatch.h"
 #include "WriteJson.h"
 
@@ -21,12 +23,10 @@
 #include "scene/OgreMath.h"
 #include "setup/ShadowCameraSetups.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <OgreCamera.h>
 #include <OgreFrameListener.h>
-#include <OgreMaterialManager.h>
 
 #include <time.h>
 
@@ -43,7 +43,6 @@ constexpr int StillFramesATurn = 6;
 constexpr int UncountedStillFrames = 4;
 /// As long as any search takes to come to rest.
 constexpr int FramesToRest = 1500;
-constexpr const char* StillMaterialGroup = "Lixel";
 
 struct StillOptions {
     std::vector<std::size_t> objects{1000, 10000, 100000};
@@ -64,17 +63,6 @@ struct StillContender {
     std::size_t kept = 0;
 };
 
-/// Counts maps that are kept.
-class KeptMapsOfAFrame : public ShadowMapObserver {
-public:
-    KeptMapsOfAFrame() { addShadowMapObserver(*this); }
-    ~KeptMapsOfAFrame() override { removeShadowMapObserver(*this); }
-    void shadowMapFitted(const ShadowMap& map) override {
-        count += map.decision.plan == MapPlan::Reuse ? 1U : 0U;
-    }
-    std::size_t count = 0;
-};
-
 /// CPU time of all of the process's threads.
 double microsecondsOfProcess() {
     timespec now{};
@@ -86,8 +74,7 @@ class StillScene {
 public:
     StillScene(HeadlessOgre& ogre, std::size_t objects)
         : mRoot(ogre.root()), mScene(ogre, FlatManager, objects), mWatch(mScene) {
-        mScene.manager().setShadowTextureCasterMaterial(
-            Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster", StillMaterialGroup));
+        mScene.manager().setShadowTextureCasterMaterial(benchCaster());
     }
 
     void setDrawing(bool draws) {
@@ -149,7 +136,6 @@ void takeStillTurn(StillScene& scene, StillContender& contender) {
         scene.use(contender, false);
         const double without = scene.draw().frame;
         scene.use(contender, true);
-        const KeptMapsOfAFrame kept;
         const BenchTimes times = scene.draw();
         if (i < 0) continue;
         contender.frame.push_back(times.frame);
@@ -157,7 +143,7 @@ void takeStillTurn(StillScene& scene, StillContender& contender) {
         contender.survey.push_back(times.survey);
         contender.casters.push_back(times.casters);
         contender.fit.push_back(times.fit);
-        contender.kept += kept.count;
+        contender.kept += times.plan == MapPlan::Reuse ? 1U : 0U;
     }
     contender.read.push_back(contender.announced ? 0.0 : scene.readCasters());
 }
@@ -225,12 +211,6 @@ void measureStill(HeadlessOgre& ogre, std::size_t objects, int frames, nlohmann:
 void runStill(const StillOptions& options) {
     HeadlessOgre ogre;
     ShadowParameters parameters;
-    Ogre::ResourceGroupManager& groups = Ogre::ResourceGroupManager::getSingleton();
-    groups.createResourceGroup(StillMaterialGroup);
-    for (const char* folder : {"/scripts", "/programs/glsl"})
-        groups.addResourceLocation(std::string(LIXEL_MATERIALS_DIR) + folder, "FileSystem",
-                                   StillMaterialGroup);
-    groups.initialiseResourceGroup(StillMaterialGroup);
     nlohmann::json rows = nlohmann::json::array();
     for (const std::size_t objects : options.objects)
         measureStill(ogre, objects, options.frames, rows);
@@ -244,20 +224,8 @@ int main(int argc, char** argv) {
     using namespace Lixel::Tests;
     StillOptions options;
     CLI::App app("What shadows cost in a frame in which nothing moves");
-    app.add_option("--objects", options.objects, "how many entities; several times or a list")
-        ->delimiter(',')
-        ->check(CLI::Range(2, 10000000))
-        ->capture_default_str();
-    app.add_option("--frames", options.frames, "how many to measure of each kind")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    app.add_option("--json", options.json, "file to write all numbers to");
-    CLI11_PARSE(app, argc, argv);
-    try {
-        runStill(options);
-        return 0;
-    } catch (const std::exception& exception) {
-        std::fprintf(stderr, "lixel-bench-still-frames: %s\n", exception.what());
-        return 1;
-    }
+    addObjects(app, options.objects);
+    addFrames(app, options.frames);
+    addJson(app, options.json);
+    return runBench("lixel-bench-still-frames", app, argc, argv, [&] { runStill(options); });
 }
