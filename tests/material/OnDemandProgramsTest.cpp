@@ -3,6 +3,7 @@
 #include "EditedFolder.h"
 #include "FreshOgre.h"
 #include "MaterialScene.h"
+#include "PlainVertex.h"
 
 #include <Lixel/material/OnDemandPrograms.h>
 #include <Lixel/scene/OgreVersions.h>
@@ -126,15 +127,6 @@ TEST(OnDemandPrograms, ArePlainGlslWithoutThePlugin) {
     EXPECT_EQ(log.count("lixel_glsl"), 0U) << log.all();
 }
 
-const char* const FlatVertex = R"(#version 330 core
-in vec4 vertex;
-uniform mat4 worldViewProj;
-void main()
-{
-    gl_Position = worldViewProj * vertex;
-}
-)";
-
 std::string flatFragment(const std::string& red) {
     return "#version 330 core\nout vec4 fragColour;\nvoid main()\n{\n    fragColour = vec4(" + red +
            ", 0.0, 0.0, 1.0);\n}\n";
@@ -154,7 +146,7 @@ class DemandedPrograms : public testing::Test {
 protected:
     DemandedPrograms() : scene(IntegratedTechnique, ""), folder("Demand") {
         scene.wear("Lixel/Surface/Integrated");
-        folder.write("flat.vert", FlatVertex);
+        folder.write("flat.vert", PlainVertex);
         folder.write("half.frag", flatFragment("0.5"));
         folder.write("wrong.glsl", "float level()\n{\n    return 0.5 + nothing;\n}\n");
         folder.write("wrong.frag",

@@ -2,6 +2,7 @@
 
 #include "EditedFolder.h"
 #include "MaterialScene.h"
+#include "PlainVertex.h"
 
 #include <Lixel/reload/Reload.h>
 #include <Lixel/script/ShadowCameraSetupManager.h>
@@ -17,15 +18,6 @@ out vec4 fragColour;
 void main()
 {
     fragColour = vec4(level(), 0.0, 0.0, 1.0);
-}
-)";
-
-const char* const VertexShader = R"(#version 330 core
-in vec4 vertex;
-uniform mat4 worldViewProj;
-void main()
-{
-    gl_Position = worldViewProj * vertex;
 }
 )";
 
@@ -67,7 +59,7 @@ class Reload : public testing::TestWithParam<const char*> {
 protected:
     Reload() : scene(IntegratedTechnique, "") {
         scene.wear("Lixel/Surface/Integrated");
-        folder.write("edited.vert", VertexShader);
+        folder.write("edited.vert", PlainVertex);
         folder.write("edited.frag", Shader);
         folder.write("edited.glsl", levelOf("0.5"));
         folder.write("edited.program", programs());
