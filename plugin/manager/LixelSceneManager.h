@@ -82,8 +82,7 @@ public:
           not a plain entity (MapPlan.h, PlanReason::RestlessCaster), or what receives in view is
           none of an entity without skeleton, vertex animation and attached objects, a manual object
           or static geometry;
-        - that have something wrong with them, of which the log is told, or shine on bodies without
-          bounds;
+        - that the log has complained about, or that shine on bodies without bounds;
         - of a setup that does not say that it depends on its options alone
           (FittedShadowCameraSetup::dependsOnlyOnOptions);
         - while the shapes of meshes are being read, and while visible points are set in each frame;

@@ -40,7 +40,7 @@ public:
     };
 
     CasterFingerprint() = default;
-    /// Of casters that were read before, and of which none was unknown.
+    /// Of casters that were read before, all of them known.
     explicit CasterFingerprint(const Fingerprint& value) : mValue(value) {}
 
     /** Reads the casters that a search found.

@@ -79,7 +79,7 @@ public:
 
 private:
     void visit(const NodeWalk::Object& found);
-    /// The same of an object of which it is known what it does.
+    /// The same of an object whose answers are known.
     void visitKnown(const NodeWalk::Object& found);
     void addReceiver(const Ogre::MovableObject& object, const Aabb& box);
     void addSurface(const Ogre::MovableObject& object, std::size_t receiver);

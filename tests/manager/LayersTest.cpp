@@ -91,7 +91,7 @@ std::size_t countLayers() {
     return count;
 }
 
-/// A scene with casters of all kinds, of which some move in each frame.
+/// A scene with casters of all kinds. Some of them move in each frame.
 class MovingScene {
 public:
     explicit MovingScene(const SetupPtr& setup) : batches(true, true), changed{batches, {}} {
