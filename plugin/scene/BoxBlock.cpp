@@ -17,29 +17,39 @@ constexpr float Rounding = 0x1p-19F;
 
 LIXEL_MULTIVERSION void reachIntoPlane(const BoxBlock& block, const ScanPlanes::Plane& plane,
                                        BoxBlock::Reach& least) {
-    for (std::size_t i = 0; i < BoxBlock::Capacity; ++i) {
-        float reach = plane.offset;
-        for (int axis = 0; axis < 3; ++axis)
-            reach +=
-                plane.normal[axis] * block.centre[axis][i] + plane.size[axis] * block.half[axis][i];
-        least[i] = least[i] < reach ? least[i] : reach;
+    float* into = least;
+    for (const BoxBlock::Eight& eight : block.boxes) {
+        for (std::size_t lane = 0; lane < BoxBlock::Lanes; ++lane) {
+            float reach = plane.offset;
+            for (int axis = 0; axis < 3; ++axis)
+                reach += plane.normal[axis] * eight.centre[axis][lane] +
+                         plane.size[axis] * eight.half[axis][lane];
+            into[lane] = into[lane] < reach ? into[lane] : reach;
+        }
+        into += BoxBlock::Lanes;
     }
 }
 
-/// Lowest and highest coordinate of the block's boxes along one axis.
+/// Lowest and highest coordinates of the block's boxes along one axis.
 LIXEL_MULTIVERSION void findEnds(const BoxBlock& block, int axis, float& lowest, float& highest) {
-    const float* const centre = block.centre[axis];
-    const float* const half = block.half[axis];
-    float lower = std::numeric_limits<float>::infinity();
-    float upper = -lower;
-    for (std::size_t i = 0; i < block.count; ++i) {
-        const float low = centre[i] - half[i];
-        const float high = centre[i] + half[i];
-        lower = low < lower ? low : lower;
-        upper = high > upper ? high : upper;
-    }
-    lowest = lower;
-    highest = upper;
+    float lower[BoxBlock::Lanes];
+    float upper[BoxBlock::Lanes];
+    std::fill_n(lower, BoxBlock::Lanes, std::numeric_limits<float>::infinity());
+    std::fill_n(upper, BoxBlock::Lanes, -std::numeric_limits<float>::infinity());
+    const auto widen = [&](const BoxBlock::Eight& eight, std::size_t lane) {
+        const float low = eight.centre[axis][lane] - eight.half[axis][lane];
+        const float high = eight.centre[axis][lane] + eight.half[axis][lane];
+        lower[lane] = low < lower[lane] ? low : lower[lane];
+        upper[lane] = high > upper[lane] ? high : upper[lane];
+    };
+    const std::size_t whole = block.count / BoxBlock::Lanes;
+    for (std::size_t i = 0; i < whole; ++i)
+        for (std::size_t lane = 0; lane < BoxBlock::Lanes; ++lane)
+            widen(block.boxes[i], lane);
+    for (std::size_t lane = 0; lane < block.count % BoxBlock::Lanes; ++lane)
+        widen(block.boxes[whole], lane);
+    lowest = *std::min_element(lower, lower + BoxBlock::Lanes);
+    highest = *std::max_element(upper, upper + BoxBlock::Lanes);
 }
 
 } // namespace
@@ -72,25 +82,26 @@ ScanPlanes::ScanPlanes(const NodeCuller& volume) : count(volume.size()) {
 }
 
 BoxBlock::BoxBlock() {
-    // Lanes without a box are compared too.
-    std::fill_n(&centre[0][0], 3 * Capacity, 0.0F);
-    std::fill_n(&half[0][0], 3 * Capacity, 0.0F);
     findBounds();
 }
 
 FlatBox BoxBlock::box(std::size_t index) const {
+    const Eight& eight = boxes[index / Lanes];
+    const std::size_t lane = index % Lanes;
     FlatBox result;
     for (int axis = 0; axis < 3; ++axis) {
-        result.centre[axis] = centre[axis][index];
-        result.half[axis] = half[axis][index];
+        result.centre[axis] = eight.centre[axis][lane];
+        result.half[axis] = eight.half[axis][lane];
     }
     return result;
 }
 
 void BoxBlock::write(std::size_t index, const FlatBox& box) {
+    Eight& eight = boxes[index / Lanes];
+    const std::size_t lane = index % Lanes;
     for (int axis = 0; axis < 3; ++axis) {
-        centre[axis][index] = box.centre[axis];
-        half[axis][index] = box.half[axis];
+        eight.centre[axis][lane] = box.centre[axis];
+        eight.half[axis][lane] = box.half[axis];
         lower[axis] = std::min(lower[axis], box.centre[axis] - box.half[axis]);
         upper[axis] = std::max(upper[axis], box.centre[axis] + box.half[axis]);
     }
@@ -99,6 +110,22 @@ void BoxBlock::write(std::size_t index, const FlatBox& box) {
 void BoxBlock::append(std::uint32_t slot, const FlatBox& box) {
     slots[count] = slot;
     write(count++, box);
+}
+
+bool BoxBlock::replace(std::size_t index, const FlatBox& box) {
+    const unsigned before = endsReached(index);
+    write(index, box);
+    return (before & ~endsReached(index)) != 0;
+}
+
+unsigned BoxBlock::endsReached(std::size_t index) const {
+    const FlatBox at = box(index);
+    unsigned ends = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        ends |= (at.centre[axis] - at.half[axis] <= lower[axis] ? 1U : 0U) << (2 * axis);
+        ends |= (at.centre[axis] + at.half[axis] >= upper[axis] ? 2U : 0U) << (2 * axis);
+    }
+    return ends;
 }
 
 void BoxBlock::findBounds() {

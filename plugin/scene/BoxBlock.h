@@ -33,10 +33,20 @@ struct ScanPlanes {
     explicit ScanPlanes(const NodeCuller& volume);
 };
 
-/// A block of boxes that are near to each other, as arrays, with a box around them all.
+/** A block of boxes that are near to each other, with a box around them all.
+
+    Each number of eight boxes lies beside the same of the next, for vector registers; and the
+    numbers of one box lie in three lines of the cache, since boxes that move come singly.
+*/
 struct BoxBlock {
-    static constexpr std::size_t Capacity = 64;
+    static constexpr std::size_t Lanes = 8;
+    static constexpr std::size_t Capacity = 8 * Lanes;
     using Reach = float[Capacity];
+
+    struct alignas(64) Eight {
+        float centre[3][Lanes];
+        float half[3][Lanes];
+    };
 
     enum class Side { Outside, Cut, Inside };
     /// How a volume lies to the block: which of its planes cut the block, and from which distance to
@@ -54,6 +64,12 @@ struct BoxBlock {
     /// Writes a box, and has the block's own reach around it.
     void write(std::size_t index, const FlatBox& box);
     void append(std::uint32_t slot, const FlatBox& box);
+    /// The same for a box that was there.
+    /// @returns whether the block's own box may be larger than it need be now
+    bool replace(std::size_t index, const FlatBox& box);
+    /// Which ends of the block's own box a box reaches, a bit each: without it the block may be
+    /// smaller.
+    unsigned endsReached(std::size_t index) const;
     /// Has the block's own box be no larger than it need be.
     void findBounds();
 
@@ -62,19 +78,18 @@ struct BoxBlock {
     /// negative where it is outside of one.
     void reachInto(const ScanPlanes& planes, const Cut& cut, Reach& least) const;
 
-    // An array for each coordinate.
-    alignas(32) float centre[3][Capacity];
-    alignas(32) float half[3][Capacity];
-    std::uint32_t slots[Capacity];
-    std::size_t count = 0;
     /// Boxes whose keys are at least this and less than the next block's first one are here.
     std::uint64_t firstKey = 0;
     std::uint64_t endKey = 0;
     /// Around all boxes.
     float lower[3];
     float upper[3];
+    std::uint32_t count = 0;
     /// Whether it may be larger than it need be.
     bool loose = false;
+
+    std::array<Eight, Capacity / Lanes> boxes{}; // lanes without a box are compared too
+    std::uint32_t slots[Capacity];
 };
 
 } // namespace Lixel

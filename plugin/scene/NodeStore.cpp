@@ -68,9 +68,7 @@ void NodeStore::set(Slot slot, const Ogre::AxisAlignedBox& bounds, const Ogre::S
     }
     const std::uint64_t key = box.key();
     if (place.block != nullptr && key >= place.block->firstKey && key < place.block->endKey) {
-        place.block->write(place.index, box);
-        if (!place.block->loose) mLoose.push_back(place.block);
-        place.block->loose = true;
+        if (place.block->replace(place.index, box)) noteLoose(*place.block);
         return;
     }
     takeAway(slot);
@@ -96,6 +94,7 @@ void NodeStore::takeAway(Slot slot) {
         --mSize;
     } else if (place.block != nullptr) {
         BoxBlock& block = *place.block;
+        if (block.endsReached(place.index) != 0) noteLoose(block);
         const std::size_t last = --block.count;
         if (place.index != last) {
             const FlatBox moved = block.box(last);
@@ -103,12 +102,15 @@ void NodeStore::takeAway(Slot slot) {
             block.write(place.index, moved);
             mPlaces[block.slots[last]].index = place.index;
         }
-        if (!block.loose) mLoose.push_back(&block);
-        block.loose = true;
         place.block = nullptr;
         --mSize;
         if (block.count < SparseBlock) join(block);
     }
+}
+
+void NodeStore::noteLoose(BoxBlock& block) {
+    if (!block.loose) mLoose.push_back(&block);
+    block.loose = true;
 }
 
 std::size_t NodeStore::positionOf(std::uint64_t key) const {

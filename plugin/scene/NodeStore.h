@@ -183,13 +183,14 @@ private:
         /// When what is known was read.
         std::uint32_t reading = 0;
         std::uint8_t known = NothingKnown;
+        bool unbounded = false;
         Ogre::AxisAlignedBox box;
         Ogre::Sphere sphere;
-        bool unbounded = false;
     };
 
     void takeAway(Slot slot);
     void insert(Slot slot, std::uint64_t key, const FlatBox& box);
+    void noteLoose(BoxBlock& block);
     void split(std::size_t position);
     void join(const BoxBlock& block);
     std::size_t positionOf(std::uint64_t key) const;
