@@ -50,7 +50,7 @@ take_picture() {
 
 close_browser() {
     xdotool key Escape
-    for _ in $(seq 100); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
+    for _ in $(seq 600); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
     if kill -0 "$pid" 2>/dev/null; then fail "Esc did not end the browser"; fi
     wait "$pid" || fail "the browser ended with status $?"
     trap - EXIT

@@ -6,7 +6,7 @@
 #ifdef __SANITIZE_ADDRESS__
 constexpr const char* Parameters = "seed=42 max_success=200";
 #else
-constexpr const char* Parameters = "seed=42 max_success=1000";
+constexpr const char* Parameters = "seed=42 max_success=400";
 #endif
 
 int main(int argc, char** argv) {

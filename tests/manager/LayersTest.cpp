@@ -749,7 +749,7 @@ class LayersUnderChanges
 
 INSTANTIATE_TEST_SUITE_P(With, LayersUnderChanges,
                          testing::Combine(testing::ValuesIn(configurations()),
-                                          testing::Range<std::uint64_t>(1, 3)),
+                                          testing::Range<std::uint64_t>(1, 2)),
                          [](const auto& test) {
                              return std::get<0>(test.param).name +
                                     std::to_string(std::get<1>(test.param));
