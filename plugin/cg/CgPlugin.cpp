@@ -1,0 +1,44 @@
+#include "cg/CgPlugin.h"
+
+#include <OgreHighLevelGpuProgramManager.h>
+#include <OgreUnifiedHighLevelGpuProgram.h>
+
+namespace Lixel::Cg {
+namespace {
+
+/// Gives a language a rank among the delegates of unified programs, unless it has one: of several
+/// without a rank OGRE takes the last.
+void setRank(const Ogre::String& language, int rank) {
+    if (Ogre::UnifiedHighLevelGpuProgram::getPriority(language) < 0)
+        Ogre::UnifiedHighLevelGpuProgram::setPriority(language, rank);
+}
+
+} // namespace
+
+CgPlugin::CgPlugin() : mCg(Language::Cg), mHlsl(Language::Hlsl) {}
+
+const Ogre::String& CgPlugin::getName() const {
+    static const Ogre::String name = "Lixel Cg";
+    return name;
+}
+
+void CgPlugin::initialise() {
+    auto& programs = Ogre::HighLevelGpuProgramManager::getSingleton();
+    for (ProgramFactory* factory : {&mCg, &mHlsl}) {
+        if (programs.isLanguageSupported(factory->getLanguage())) continue;
+        programs.addFactory(factory);
+        mAdded.push_back(factory);
+    }
+    setRank("glsl", 2);
+    setRank("cg", 1);
+    setRank("hlsl", 0);
+}
+
+void CgPlugin::shutdown() {
+    // A render system may have put its own in the place of one; OGRE then leaves that.
+    for (ProgramFactory* factory : mAdded)
+        Ogre::HighLevelGpuProgramManager::getSingleton().removeFactory(factory);
+    mAdded.clear();
+}
+
+} // namespace Lixel::Cg
