@@ -1,6 +1,7 @@
 #include "cg/CgPlugin.h"
 
 #include <OgreHighLevelGpuProgramManager.h>
+#include <OgreScriptCompiler.h>
 #include <OgreUnifiedHighLevelGpuProgram.h>
 
 namespace Lixel::Cg {
@@ -28,13 +29,17 @@ void CgPlugin::initialise() {
         if (programs.isLanguageSupported(factory->getLanguage())) continue;
         programs.addFactory(factory);
         mAdded.push_back(factory);
+        mLanguageChoice.add(factory->getLanguage());
     }
+    Ogre::ScriptCompilerManager::getSingleton().addTranslatorManager(&mLanguageChoice);
     setRank("glsl", 2);
     setRank("cg", 1);
     setRank("hlsl", 0);
 }
 
 void CgPlugin::shutdown() {
+    Ogre::ScriptCompilerManager::getSingleton().removeTranslatorManager(&mLanguageChoice);
+    mLanguageChoice.clear();
     // A render system may have put its own in the place of one; OGRE then leaves that.
     for (ProgramFactory* factory : mAdded)
         Ogre::HighLevelGpuProgramManager::getSingleton().removeFactory(factory);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cg/LanguageChoice.h"
 #include "cg/ProgramFactory.h"
 
 #include <OgrePlugin.h>
@@ -23,6 +24,7 @@ public:
 private:
     ProgramFactory mCg;
     ProgramFactory mHlsl;
+    LanguageChoice mLanguageChoice;
     std::vector<ProgramFactory*> mAdded;
 };
 

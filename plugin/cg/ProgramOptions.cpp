@@ -44,12 +44,14 @@ std::optional<Profile> chosenProfile(const ProgramOptions& options, Language lan
 }
 
 int shaderModelOf(const ProgramOptions& options) {
+    int lowest = 0;
     for (const std::string& name : wordsOf(options.profiles)) {
         if (!profileOf(name)) continue;
         const bool isDirect3D = name.starts_with("vs_") || name.starts_with("ps_");
-        return isDirect3D ? std::max(3, name[3] - '0') : 3;
+        const int model = isDirect3D ? std::max(3, name[3] - '0') : 3;
+        lowest = lowest == 0 ? model : std::min(lowest, model);
     }
-    return 3;
+    return std::max(lowest, 3);
 }
 
 std::vector<Define> definesOf(const std::string& text, std::vector<std::string>& ignored) {

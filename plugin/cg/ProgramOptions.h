@@ -24,7 +24,8 @@ struct ProgramOptions {
 /// has vs_2_0 or ps_2_0, as in OGRE. Nothing if there is none.
 std::optional<Profile> chosenProfile(const ProgramOptions& options, Language language, Stage stage);
 
-/// The shader model of the first profile that can be translated: 3 up to vs_3_0, 4 for vs_4_0…
+/// The lowest shader model among the profiles that are known: 3 up to vs_3_0, 4 for vs_4_0… Sources
+/// that are for several take from OGRE_HLSL which form to have; the older is the plainer.
 int shaderModelOf(const ProgramOptions& options);
 
 /// Macros of a text such as "A,B=2;C" (preprocessor_defines) or "-DA -DB=2 -D C" (Cg's command

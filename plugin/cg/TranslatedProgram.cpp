@@ -226,9 +226,7 @@ void TranslatedProgram::buildConstantDefinitions() const {
     // Parameters have no indices here.
     mFloatLogicalToPhysical.reset();
     mIntLogicalToPhysical.reset();
-    const auto* inner = static_cast<const HighLevelGpuProgram*>(mAssemblerProgram.get());
-    const Ogre::GpuNamedConstants* constants =
-        inner == nullptr ? nullptr : &inner->getConstantDefinitions();
+    Ogre::GpuNamedConstants* const constants = innerConstants();
     if (constants != nullptr) {
         mConstantDefs->floatBufferSize = constants->floatBufferSize;
         mConstantDefs->doubleBufferSize = constants->doubleBufferSize;
@@ -236,27 +234,44 @@ void TranslatedProgram::buildConstantDefinitions() const {
     }
     for (const Parameter& parameter : mTranslation.parameters)
         addDefinition(parameter, constants);
+    // With separate shader objects OGRE uploads what has a definition here. No name of a source's
+    // has a space.
+    for (const Sampler& sampler : mTranslation.samplers)
+        if (constants != nullptr && constants->map.count(sampler.glslName) != 0)
+            mConstantDefs->map.emplace("sampler " + sampler.name,
+                                       constants->map.at(sampler.glslName));
+}
+
+Ogre::GpuNamedConstants* TranslatedProgram::innerConstants() const {
+    if (!mAssemblerProgram) return nullptr;
+    const auto& inner = static_cast<const HighLevelGpuProgram&>(*mAssemblerProgram);
+    // OGRE gives them as const to all but itself. They are those of a program of our own.
+    return const_cast<Ogre::GpuNamedConstants*>(&inner.getConstantDefinitions());
 }
 
 void TranslatedProgram::addDefinition(const Parameter& parameter,
-                                      const Ogre::GpuNamedConstants* inner) const {
-    Ogre::GpuConstantDefinition definition;
+                                      Ogre::GpuNamedConstants* inner) const {
     const bool isActive = inner != nullptr && inner->map.count(parameter.glslName) != 0;
     if (isActive) {
-        definition = inner->map.at(parameter.glslName);
-    } else {
-        // What OpenGL has no use for can be set all the same, as scripts do: after all others.
-        definition.constType = constantTypeOf(parameter);
-        definition.elementSize =
-            Ogre::GpuConstantDefinition::getElementSize(definition.constType, true);
-        definition.arraySize = std::max(parameter.elements, 1u);
-        std::size_t& size =
-            definition.isFloat() ? mConstantDefs->floatBufferSize : mConstantDefs->intBufferSize;
-        definition.physicalIndex = size;
-        size += definition.elementSize * definition.arraySize;
+        // OGRE notes in our definition how often a script's value changes. Without separate shader
+        // objects it uploads by the inner one, which must not be thought to change less often.
+        Ogre::GpuConstantDefinition& definition = inner->map.at(parameter.glslName);
+        definition.variability = Ogre::GPV_ALL;
+        mConstantDefs->map.emplace(parameter.name, definition);
+        return;
     }
-    // The inner program's own is not known to be set for each object.
-    definition.variability = Ogre::GPV_ALL;
+    // What OpenGL has no use for can be set all the same, as scripts do: after all others, and at no
+    // location of OpenGL's.
+    Ogre::GpuConstantDefinition definition;
+    definition.constType = constantTypeOf(parameter);
+    definition.elementSize =
+        Ogre::GpuConstantDefinition::getElementSize(definition.constType, true);
+    definition.arraySize = std::max(parameter.elements, 1u);
+    definition.logicalIndex = static_cast<std::size_t>(-1);
+    std::size_t& size =
+        definition.isFloat() ? mConstantDefs->floatBufferSize : mConstantDefs->intBufferSize;
+    definition.physicalIndex = size;
+    size += definition.elementSize * definition.arraySize;
     mConstantDefs->map.emplace(parameter.name, definition);
 }
 
@@ -271,11 +286,9 @@ Ogre::GpuProgramParametersSharedPtr TranslatedProgram::createParameters() {
 }
 
 void TranslatedProgram::setUnits(Ogre::GpuProgramParameters& parameters) const {
-    const auto& inner =
-        static_cast<const HighLevelGpuProgram*>(mAssemblerProgram.get())->getConstantDefinitions();
     for (const Sampler& sampler : mTranslation.samplers) {
-        const auto definition = inner.map.find(sampler.glslName);
-        if (definition == inner.map.end()) continue;
+        const auto definition = mConstantDefs->map.find("sampler " + sampler.name);
+        if (definition == mConstantDefs->map.end()) continue;
         const int unit = static_cast<int>(sampler.unit);
         parameters._writeRawConstants(definition->second.physicalIndex, &unit, 1);
     }

@@ -45,7 +45,9 @@ private:
     std::vector<Define> allDefines() const;
     void translateSource(const Profile& profile);
     void logWarnings() const;
-    void addDefinition(const Parameter& parameter, const Ogre::GpuNamedConstants* inner) const;
+    /// Those of the inner program, which OGRE uploads by; null before it is loaded.
+    Ogre::GpuNamedConstants* innerConstants() const;
+    void addDefinition(const Parameter& parameter, Ogre::GpuNamedConstants* inner) const;
     void setUnits(Ogre::GpuProgramParameters& parameters) const;
     void setDefaults(Ogre::GpuProgramParameters& parameters) const;
 

@@ -52,20 +52,31 @@ void DrawingOgre::makeScene() {
     Ogre::Camera* camera = mScene->createCamera("camera");
     mScene->getRootSceneNode()->attachObject(camera);
     mWindow->addViewport(camera)->setBackgroundColour(Ogre::ColourValue::Black);
-    mRectangle = mScene->createManualObject("rectangle");
-    mRectangle->begin("BaseWhite", Ogre::RenderOperation::OT_TRIANGLE_STRIP);
-    for (const auto& [x, y] :
-         {std::pair{-1, -1}, std::pair{1, -1}, std::pair{-1, 1}, std::pair{1, 1}}) {
-        mRectangle->position(static_cast<float>(x), static_cast<float>(y), 0.5F);
-        mRectangle->normal(0, 0, 1);
-        mRectangle->colour(0.2F, 0.4F, 0.6F);
-        mRectangle->textureCoord(static_cast<float>(x + 1) / 2, static_cast<float>(y + 1) / 2);
-    }
-    mRectangle->end();
-    mRectangle->setUseIdentityProjection(true);
-    mRectangle->setUseIdentityView(true);
-    mRectangle->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
+    mRectangle = makeRectangle("BaseWhite");
     mScene->getRootSceneNode()->attachObject(mRectangle);
+}
+
+Ogre::ManualObject* DrawingOgre::makeRectangle(const std::string& material) {
+    Ogre::ManualObject* rectangle = mScene->createManualObject();
+    rectangle->begin(material, Ogre::RenderOperation::OT_TRIANGLE_STRIP);
+    for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, std::pair{1.0F, -1.0F},
+                               std::pair{-1.0F, 1.0F}, std::pair{1.0F, 1.0F}}) {
+        rectangle->position(x, y, 0.5F);
+        rectangle->normal(0, 0, 1);
+        rectangle->colour(0.2F, 0.4F, 0.6F);
+        rectangle->textureCoord((x + 1) / 2, (y + 1) / 2);
+    }
+    rectangle->end();
+    rectangle->setUseIdentityProjection(true);
+    rectangle->setUseIdentityView(true);
+    rectangle->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);
+    return rectangle;
+}
+
+Ogre::SceneNode& DrawingOgre::addRectangle(const std::string& material) {
+    Ogre::SceneNode* node = mScene->getRootSceneNode()->createChildSceneNode();
+    node->attachObject(makeRectangle(material));
+    return *node;
 }
 
 void DrawingOgre::write(const std::string& file, const std::string& text) const {
@@ -78,19 +89,24 @@ void DrawingOgre::readScripts() const {
     groups.initialiseAllResourceGroups();
 }
 
-std::vector<std::uint8_t> DrawingOgre::picture(const std::string& material) {
+const std::vector<std::uint8_t>& DrawingOgre::picture(const std::string& material) {
     mRectangle->setMaterialName(0, material);
     mRoot->renderOneFrame();
-    std::vector<std::uint8_t> rgb(std::size_t{3} * Side * Side);
-    mWindow->copyContentsToMemory(Ogre::Box(0, 0, Side, Side),
-                                  Ogre::PixelBox(Side, Side, 1, Ogre::PF_BYTE_RGB, rgb.data()));
-    return rgb;
+    mPicture.resize(std::size_t{3} * Side * Side);
+    mWindow->copyContentsToMemory(
+        Ogre::Box(0, 0, Side, Side),
+        Ogre::PixelBox(Side, Side, 1, Ogre::PF_BYTE_RGB, mPicture.data()));
+    return mPicture;
 }
 
 Pixel DrawingOgre::draw(const std::string& material) {
-    const auto rgb = picture(material);
-    const std::uint8_t* middle = &rgb[std::size_t{3} * (Side / 2 * Side + Side / 2)];
-    return {middle[0], middle[1], middle[2]};
+    picture(material);
+    return pixel(Side / 2, Side / 2);
+}
+
+Pixel DrawingOgre::pixel(unsigned column, unsigned row) const {
+    const std::uint8_t* rgb = &mPicture[std::size_t{3} * (row * Side + column)];
+    return {rgb[0], rgb[1], rgb[2]};
 }
 
 std::string DrawingOgre::logged(const std::string& text) const {

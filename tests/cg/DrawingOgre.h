@@ -46,11 +46,17 @@ public:
     /// The rectangle in that material, in the middle of the window. It has the corners ±1 and 0.5 as
     /// z, the normal (0, 0, 1), the colour (0.2, 0.4, 0.6), and 0 to 1 as texture coordinates.
     Pixel draw(const std::string& material);
-    std::vector<std::uint8_t> picture(const std::string& material);
+    const std::vector<std::uint8_t>& picture(const std::string& material);
 
     /// What was logged since it was last asked and holds that text, a line each.
     std::string logged(const std::string& text) const;
     void clearLog() { mLines.clear(); }
+
+    /// A pixel of the last picture; row 0 is the upper one.
+    Pixel pixel(unsigned column, unsigned row) const;
+
+    /// One more rectangle, which is drawn too, below a node of its own.
+    Ogre::SceneNode& addRectangle(const std::string& material);
 
     Ogre::Root& root() { return *mRoot; }
     Ogre::SceneManager& scene() { return *mScene; }
@@ -61,6 +67,7 @@ private:
     void messageLogged(const Ogre::String& message, Ogre::LogMessageLevel level, bool maskDebug,
                        const Ogre::String& logName, bool& skip) override;
     void makeScene();
+    Ogre::ManualObject* makeRectangle(const std::string& material);
 
     std::filesystem::path mFolder;
     std::vector<std::string> mLines;
@@ -69,6 +76,7 @@ private:
     Ogre::RenderWindow* mWindow = nullptr;
     Ogre::SceneManager* mScene = nullptr;
     Ogre::ManualObject* mRectangle = nullptr;
+    std::vector<std::uint8_t> mPicture;
 };
 
 } // namespace Lixel::Tests

@@ -38,6 +38,11 @@ void Edits::insertBefore(std::size_t token, std::string text) {
     mEdits.push_back({at, at, std::move(text)});
 }
 
+void Edits::insertAfter(std::size_t token, std::string text) {
+    const std::size_t at = mTokens[token].end();
+    mEdits.push_back({at, at, std::move(text)});
+}
+
 std::string Edits::apply() const {
     std::vector<const Edit*> edits;
     edits.reserve(mEdits.size());

@@ -22,6 +22,8 @@ public:
     /// Text before a token, or at the end where the index is the number of tokens. Of several
     /// insertions at one place the first comes first.
     void insertBefore(std::size_t token, std::string text);
+    /// Text right after a token.
+    void insertAfter(std::size_t token, std::string text);
 
     /// The changed text. Of changes that overlap the one that begins first counts.
     std::string apply() const;

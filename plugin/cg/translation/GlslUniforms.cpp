@@ -72,8 +72,8 @@ void replaceUse(const Parameter& parameter, const Layout& layout, std::size_t at
         parameter.elements != 0 && isIndexed ? tokens.afterClosing(at + 3) : at + 3;
     const bool isConverted = !layout.convert.empty();
     edits.replace({at, at + 3}, (isConverted ? layout.convert + '(' : "") + parameter.glslName);
-    if (isConverted) edits.insertBefore(after, ")");
-    if (!layout.swizzle.empty()) edits.insertBefore(after, layout.swizzle);
+    if (isConverted) edits.insertAfter(after - 1, ")");
+    if (!layout.swizzle.empty()) edits.insertAfter(after - 1, layout.swizzle);
 }
 
 } // namespace

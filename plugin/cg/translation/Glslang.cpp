@@ -68,7 +68,7 @@ std::optional<std::string> GlslangShader::preprocess(glslang::TShader::Includer&
     return result;
 }
 
-std::vector<unsigned> GlslangShader::compile(Messages& messages) {
+std::vector<unsigned> GlslangShader::compile(bool optimise, Messages& messages) {
     const bool parsed = mShader.parse(GetDefaultResources(), Version, false, Options);
     readLog(mShader.getInfoLog(), messages);
     if (parsed) checkCalls(*mShader.getIntermediate(), messages);
@@ -87,8 +87,7 @@ std::vector<unsigned> GlslangShader::compile(Messages& messages) {
 
     std::vector<unsigned> code;
     glslang::SpvOptions options;
-    // The optimiser changes no pixel and takes most of the time.
-    options.disableOptimizer = true;
+    options.disableOptimizer = !optimise;
     spv::SpvBuildLogger logger;
     glslang::GlslangToSpv(*program.getIntermediate(mShader.getStage()), code, &logger, &options);
     const std::string problems = logger.getAllMessages();

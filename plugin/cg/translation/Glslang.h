@@ -20,8 +20,9 @@ public:
 
     /// The text after its preprocessing. Nothing if there was an error, which is added to messages.
     std::optional<std::string> preprocess(glslang::TShader::Includer& includer, Messages& messages);
-    /// The program in SPIR-V, empty if there was an error.
-    std::vector<unsigned> compile(Messages& messages);
+    /// The program in SPIR-V, empty if there was an error. Optimised code takes longer, and has no
+    /// copies of textures, which GLSL cannot have.
+    std::vector<unsigned> compile(bool optimise, Messages& messages);
 
 private:
     void setTexts(const std::string& preamble, const std::vector<std::string>& texts,

@@ -83,7 +83,7 @@ private:
         const Token& token = mTokens[mAt];
         if (token.is(";")) {
             ++mAt;
-        } else if (token.is("cbuffer") || token.is("tbuffer")) {
+        } else if (beginsBuffer(mAt) || (token.is("shared") && beginsBuffer(mAt + 1))) {
             readBuffer();
         } else if (token.is("technique") || token.is("technique10") || token.is("technique11")) {
             readEffect();
@@ -94,6 +94,10 @@ private:
         } else {
             readStatement();
         }
+    }
+
+    bool beginsBuffer(std::size_t at) const {
+        return mTokens.isAt(at, "cbuffer") || mTokens.isAt(at, "tbuffer");
     }
 
     void readBuffer() {

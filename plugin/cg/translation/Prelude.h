@@ -11,13 +11,17 @@ namespace Lixel::Cg {
 /// What messages call the prelude.
 inline constexpr const char* PreludeName = "prelude of Lixel";
 
-/// Functions of Cg's and HLSL's libraries that the front end lacks: those of which the source has
-/// the names and does not define them itself.
-std::string preludeFor(const Request& request, const std::unordered_set<std::string_view>& words,
-                       const std::unordered_set<std::string_view>& defined);
+/// Whether that is a function of Cg's library that the front end lacks, or reads in another way. A
+/// source's calls of it are to be named preludeNameOf(name).
+bool isInPrelude(Language language, std::string_view name);
 
-/// Why a call of that function, named as the front end does ("tex2D(s21;vf3;"), is refused; null
-/// where it is not.
+std::string preludeNameOf(std::string_view name);
+
+/// HLSL that defines these functions, to go before a source.
+std::string preludeFor(Stage stage, const std::unordered_set<std::string_view>& names);
+
+/// Why a call of that function, named as the front end does ("lixel_cg_tex2D(s21;vf3;"), is refused;
+/// null where it is not.
 const char* whyRefused(std::string_view function);
 
 } // namespace Lixel::Cg

@@ -3,6 +3,7 @@
 #include "cg/translation/Complexity.h"
 #include "cg/translation/DefaultValue.h"
 #include "cg/translation/Edits.h"
+#include "cg/translation/Initializers.h"
 #include "cg/translation/Prelude.h"
 #include "cg/translation/Types.h"
 
@@ -72,10 +73,11 @@ public:
             if (function != entry) rewriteParameters(*function);
         }
         rewriteEntry(*entry);
+        groupInitializers(mTokens, mConstants, mEdits);
         rewriteWords();
         if (firstError(mMessages) != nullptr) return {};
         mResult.text = mEdits.apply();
-        mResult.prelude = preludeFor(mRequest, mWords, mDefined);
+        mResult.prelude = preludeFor(mRequest.stage, mFromPrelude);
         const Place place = mTokens[entry->name].place;
         mResult.entryFile = mTokens.files[place.file];
         mResult.entryLine = place.line;
@@ -134,8 +136,14 @@ private:
             mDefined.insert(mTokens[function.name].text);
         }
         std::vector<std::string_view> fresh;
-        for (const Declaration& variable : mOutline.variables)
-            addWords(variable.all, fresh);
+        for (const Declaration& variable : mOutline.variables) {
+            if (isConstant(variable) || variable.declarators.empty()) {
+                addWords(variable.all, fresh);
+                continue;
+            }
+            for (const Declarator& declarator : variable.declarators)
+                addWords(declarator.arrays, fresh);
+        }
         Words kept;
         const auto keep = [&](const FunctionOutline& function) {
             mKept.push_back(&function);
@@ -163,34 +171,52 @@ private:
         return mTokens[declaration.type.first].is(name);
     }
 
+    /// Whether it has the same value for all uses of the program.
+    bool isConstant(const Declaration& declaration) const {
+        if (hasModifier(mTokens, declaration, "static") ||
+            hasModifier(mTokens, declaration, "groupshared"))
+            return true;
+        return hasModifier(mTokens, declaration, "const") &&
+               !hasModifier(mTokens, declaration, "uniform") && !declaration.declarators.empty() &&
+               !declaration.declarators.front().initial.empty() &&
+               !isSamplerType(mTokens[declaration.type.first].text);
+    }
+
     void rewriteGlobal(const Declaration& declaration) {
-        const std::string_view type = mTokens[declaration.type.first].text;
-        if (declaration.declarators.empty()) return; // a struct
-        if (const char* reason = whyUnsupported(type))
-            return fail(declaration.type.first, std::string(type) + ": " + reason);
-        if (isSamplerType(type)) return rewriteSamplers(declaration);
-        if (type == "texture") {
-            // Which texture a sampler reads is said by the script.
-            if (mTokens[declaration.type.first + 1].isWord()) mEdits.erase(declaration.all);
-            return;
-        }
-        const bool isStatic = hasModifier(mTokens, declaration, "static");
-        const bool isConst = hasModifier(mTokens, declaration, "const");
-        const bool isUniform = hasModifier(mTokens, declaration, "uniform");
-        if (isStatic || hasModifier(mTokens, declaration, "groupshared")) {
+        if (declaration.declarators.empty()) return; // a structure
+        if (isConstant(declaration)) {
             noteConstants(declaration);
-            return;
-        }
-        if (isConst && !isUniform && !declaration.declarators.front().initial.empty()) {
-            noteConstants(declaration);
-            mEdits.insertBefore(declaration.all.first, "static ");
+            if (!hasModifier(mTokens, declaration, "static"))
+                mEdits.insertBefore(declaration.all.first, "static ");
             return;
         }
         std::string text;
-        for (const Declarator& declarator : declaration.declarators)
-            text += uniformText(declaration, declarator, plainNameAt(declarator.name));
+        for (const Declarator& declarator : declaration.declarators) {
+            const std::size_t messages = mMessages.size();
+            std::string one = parameterText(declaration, declarator, plainNameAt(declarator.name));
+            if (mWords.count(mTokens[declarator.name].text) != 0) {
+                text += one;
+            } else {
+                // Whatever it is, it does not matter here.
+                mMessages.resize(messages);
+            }
+        }
         if (!text.empty()) text.pop_back(); // the semicolon stands after the declaration
         mEdits.replace(declaration.all, std::move(text));
+    }
+
+    /// A declaration of a parameter that the front end takes, with its semicolon.
+    std::string parameterText(const Declaration& declaration, const Declarator& declarator,
+                              const std::string& hlslName) {
+        const std::string_view type = mTokens[declaration.type.first].text;
+        if (const char* reason = whyUnsupported(type)) {
+            fail(declaration.type.first, std::string(type) + ": " + reason);
+            return {};
+        }
+        // Which texture a sampler reads is said by the script.
+        if (type == "texture") return {};
+        return isSamplerType(type) ? samplerText(declaration, declarator, hlslName)
+                                   : uniformText(declaration, declarator, hlslName);
     }
 
     void noteConstants(const Declaration& declaration) {
@@ -199,14 +225,6 @@ private:
                 mConstants[mTokens[declarator.name].text] = std::move(*value);
             if (!declarator.annotation.empty()) mEdits.erase(declarator.annotation);
         }
-    }
-
-    void rewriteSamplers(const Declaration& declaration) {
-        std::string text;
-        for (const Declarator& declarator : declaration.declarators)
-            text += samplerText(declaration, declarator, plainNameAt(declarator.name));
-        if (!text.empty()) text.pop_back();
-        mEdits.replace(declaration.all, std::move(text));
     }
 
     /// A declaration of a sampler that the front end takes, with its semicolon.
@@ -221,7 +239,8 @@ private:
             return {};
         }
         std::string type = textOf(declaration.type);
-        if (type == "sampler" || type == "sampler_state") type = kindOfSampler(sampler.name);
+        if (type == "sampler") type = kindOfSampler(sampler.name);
+        if (type.starts_with("Texture")) mResult.hasSeparateSamplers = true;
         mResult.samplers.push_back(std::move(sampler));
         return "uniform " + type + ' ' + hlslName + ';';
     }
@@ -411,12 +430,7 @@ private:
             for (std::size_t at = entry.body.first; at < entry.body.last; ++at)
                 if (mTokens[at].is(name) && !mTokens[at - 1].is(".")) mRenamed[at] = hlslName;
         }
-        const std::string_view type = mTokens[declaration.type.first].text;
-        if (const char* reason = whyUnsupported(type))
-            return fail(declaration.type.first, std::string(type) + ": " + reason);
-        const std::string text = isSamplerType(type)
-                                     ? samplerText(declaration, declarator, hlslName)
-                                     : uniformText(declaration, declarator, hlslName);
+        const std::string text = parameterText(declaration, declarator, hlslName);
         mEdits.insertBefore(entry.begin, lineDirective(mTokens, mTokens[declarator.name].place) +
                                              text +
                                              lineDirective(mTokens, mTokens[entry.begin].place));
@@ -456,6 +470,10 @@ private:
                 mEdits.replace(at, plainWord(token.text));
             } else if (token.is("varying") || token.is("packed")) {
                 mEdits.erase({at, at + 1});
+            } else if (isInPrelude(mRequest.language, token.text) && mTokens.isAt(at + 1, "(") &&
+                       mDefined.count(token.text) == 0) {
+                mFromPrelude.insert(token.text);
+                mEdits.replace(at, preludeNameOf(token.text));
             } else if (isCg) {
                 if (std::string plain = plainTypeName(token.text); plain != token.text)
                     mEdits.replace(at, std::move(plain));
@@ -472,6 +490,7 @@ private:
     std::vector<const FunctionOutline*> mKept;
     Words mWords;   ///< of what is kept
     Words mDefined; ///< the names of functions
+    Words mFromPrelude;
     Constants mConstants;
     std::unordered_map<std::size_t, std::string> mRenamed;
     Rewritten mResult;

@@ -30,6 +30,8 @@ struct Rewritten {
     std::string prelude; ///< goes before it
     std::vector<SourceParameter> parameters;
     std::vector<SourceSampler> samplers;
+    /// Whether textures and the ways of reading them are parameters of their own.
+    bool hasSeparateSamplers = false;
     /// Where the entry point is.
     std::string entryFile;
     unsigned entryLine = 0;

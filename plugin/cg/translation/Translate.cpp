@@ -22,7 +22,8 @@ void translateSteps(const Request& request, std::vector<IncludedFile>& includes,
     {
         const std::vector<std::string> texts = {source->prelude, source->text};
         const std::vector<std::string> names = {PreludeName, request.file};
-        code = GlslangShader(request, "", texts, names).compile(result.messages);
+        code = GlslangShader(request, "", texts, names)
+                   .compile(source->hasSeparateSamplers, result.messages);
     }
     if (code.empty()) return;
     const RawGlsl raw = translateSpirv(request, code, result.messages);
