@@ -53,6 +53,24 @@ TextCommand<&ProgramOptions::compileArguments> theArgumentsCommand;
 ColumnMajorCommand theColumnMajorCommand;
 IgnoredCommand theIgnoredCommand;
 
+/// Makes GLSL programs that OGRE's manager does not list. When OGRE ends it walks its lists and lets
+/// go of what is in them; the destructor of a translated program would take its inner one from the
+/// list that is being walked.
+class UnlistedPrograms : public Ogre::HighLevelGpuProgramManager {
+public:
+    static Ogre::GpuProgramPtr make(const Ogre::String& name, const Ogre::String& group,
+                                    Ogre::GpuProgramType type) {
+        auto& manager = Ogre::HighLevelGpuProgramManager::getSingleton();
+        const Ogre::NameValuePairList language = {{"language", "glsl"}};
+        constexpr auto create = &UnlistedPrograms::createImpl;
+        auto* program = static_cast<Ogre::GpuProgram*>(
+            (manager.*create)(name, 0, group, false, nullptr, &language));
+        program->setType(type);
+        program->setSyntaxCode("glsl");
+        return Ogre::GpuProgramPtr(program);
+    }
+};
+
 Stage stageOf(Ogre::GpuProgramType type) {
     return type == Ogre::GPT_VERTEX_PROGRAM ? Stage::Vertex : Stage::Fragment;
 }
@@ -200,25 +218,18 @@ void TranslatedProgram::loadFromSource() {
     logWarnings();
     if (!reason.empty())
         OGRE_EXCEPT(Ogre::Exception::ERR_RENDERINGAPI_ERROR, reason, "TranslatedProgram");
-    auto& programs = Ogre::HighLevelGpuProgramManager::getSingleton();
-    const auto inner = programs.createProgram(mName + "/GLSL", mGroup, "glsl", mType);
+    const auto inner = UnlistedPrograms::make(mName + "/GLSL", mGroup, mType);
     inner->setSource(mTranslation.glsl);
     inner->setParameter("column_major_matrices", "false");
     inner->load();
-    mAssemblerProgram = inner;
-    if (!inner->isSupported()) {
-        programs.remove(inner);
-        mAssemblerProgram.reset();
+    if (!inner->isSupported())
         OGRE_EXCEPT(Ogre::Exception::ERR_RENDERINGAPI_ERROR,
                     "the driver refuses its translation to GLSL, see above", "TranslatedProgram");
-    }
+    mAssemblerProgram = inner;
 }
 
 void TranslatedProgram::unloadHighLevelImpl() {
-    if (mAssemblerProgram) {
-        mAssemblerProgram->getCreator()->remove(mAssemblerProgram);
-        mAssemblerProgram.reset();
-    }
+    mAssemblerProgram.reset();
 }
 
 void TranslatedProgram::buildConstantDefinitions() const {

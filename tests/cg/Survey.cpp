@@ -9,6 +9,7 @@
 #include <OgrePass.h>
 #include <OgreResourceGroupManager.h>
 #include <OgreTechnique.h>
+#include <OgreTextureUnitState.h>
 #include <OgreUnifiedHighLevelGpuProgram.h>
 
 #include <algorithm>
@@ -100,8 +101,8 @@ public:
             const Ogre::Technique* technique = material->getBestTechnique();
             if (technique == nullptr || !usesOurs(*technique)) continue;
             ++all;
-            // Known even where the driver crashes on it.
-            std::cout << "material " << name << std::flush;
+            nameTextures(*technique);
+            std::cout << "material " << name;
             mOgre.clearLog();
             std::string problem;
             try {
@@ -141,6 +142,13 @@ private:
             }
         }
         return uses;
+    }
+
+    /// There are neither compositors nor shadow maps here; an image takes their place.
+    static void nameTextures(const Ogre::Technique& technique) {
+        for (const Ogre::Pass* pass : technique.getPasses())
+            for (Ogre::TextureUnitState* unit : pass->getTextureUnitStates())
+                unit->setContentType(Ogre::TextureUnitState::CONTENT_NAMED);
     }
 
     DrawingOgre& mOgre;
