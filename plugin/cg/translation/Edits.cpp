@@ -49,9 +49,11 @@ std::string Edits::apply() const {
     for (const Edit& edit : mEdits)
         edits.push_back(&edit);
     std::stable_sort(edits.begin(), edits.end(), [](const Edit* a, const Edit* b) {
-        // Insertions before what is replaced at the same place.
         if (a->begin != b->begin) return a->begin < b->begin;
-        return a->end == a->begin && b->end != b->begin;
+        // At the same place insertions come first, then what replaces most.
+        const bool insertsA = a->end == a->begin;
+        const bool insertsB = b->end == b->begin;
+        return insertsA != insertsB ? insertsA : a->end > b->end;
     });
     std::string result;
     std::size_t at = 0;

@@ -25,7 +25,8 @@ public:
     /// Text right after a token.
     void insertAfter(std::size_t token, std::string text);
 
-    /// The changed text. Of changes that overlap the one that begins first counts.
+    /// The changed text. Of changes that overlap the one that begins first counts, or the
+    /// longest of those.
     std::string apply() const;
 
 private:

@@ -72,6 +72,8 @@ std::string withPlainLiterals(std::string_view source) {
             at = copyTo(at, at + 1);
         }
     }
+    // Without it a directive at the end would not be read.
+    if (!result.ends_with('\n')) result += '\n';
     return result;
 }
 

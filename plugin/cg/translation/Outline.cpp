@@ -1,5 +1,7 @@
 #include "cg/translation/Outline.h"
 
+#include "cg/translation/Profile.h"
+
 #include <algorithm>
 
 namespace Lixel::Cg {
@@ -136,7 +138,9 @@ private:
                 return;
             }
             const bool opens = token.is("(") || token.is("[") || token.is("{");
-            mAt = opens ? mTokens.afterClosing(mAt) : mAt + 1;
+            mAt = opens                ? mTokens.afterClosing(mAt)
+                  : beginsAnnotation() ? afterAnnotation()
+                                       : mAt + 1;
         }
         if (parameters != 0 && !initial) {
             addFunction(begin, parameters, {});
@@ -144,6 +148,19 @@ private:
             addVariables({begin, mAt});
         }
         ++mAt;
+    }
+
+    /// < string name = "value"; > of an effect file.
+    bool beginsAnnotation() const {
+        return mTokens[mAt].is("<") && mAt + 2 < mTokens.size() && mTokens[mAt + 1].isWord() &&
+               mTokens[mAt + 2].isWord();
+    }
+
+    std::size_t afterAnnotation() const {
+        std::size_t at = mAt;
+        while (at < mTokens.size() && !mTokens[at].is(">"))
+            ++at;
+        return std::min(at + 1, mTokens.size());
     }
 
     /// Whether a colon stands before the current token: register(s0) is no function.
@@ -157,6 +174,7 @@ private:
         const std::size_t close = mTokens.afterClosing(open);
         FunctionOutline function;
         function.begin = begin;
+        if (profileOf(mTokens[begin].text)) function.profile = mTokens[begin].text;
         function.name = open - 1;
         function.parameters = {open + 1, std::max(open + 1, close - 1)};
         function.body = body;

@@ -28,7 +28,9 @@ struct Declaration {
 };
 
 struct FunctionOutline {
-    std::size_t begin = 0; ///< the first token of its return type
+    std::size_t begin = 0; ///< its first token
+    /// The profile that Cg has it for, which stands before all else; empty if it is for all.
+    std::string_view profile;
     std::size_t name = 0;
     TokenRange parameters; ///< within the parentheses
     TokenRange body;       ///< with its braces; empty if it is only declared

@@ -5,9 +5,9 @@
 namespace Lixel::Cg {
 
 std::optional<Profile> profileOf(std::string_view name) {
-    constexpr Profile OldVertex = {Stage::Vertex, true};
-    constexpr Profile Vertex = {Stage::Vertex, false};
-    constexpr Profile Fragment = {Stage::Fragment, false};
+    constexpr Profile OldVertex = {Stage::Vertex, true, {}};
+    constexpr Profile Vertex = {Stage::Vertex, false, {}};
+    constexpr Profile Fragment = {Stage::Fragment, false, {}};
     static const std::unordered_map<std::string_view, Profile> profiles = {
         {"arbvp1", OldVertex},
         {"vp20", OldVertex},
@@ -58,7 +58,9 @@ std::optional<Profile> profileOf(std::string_view name) {
     };
     const auto profile = profiles.find(name);
     if (profile == profiles.end()) return {};
-    return profile->second;
+    Profile result = profile->second;
+    result.name = profile->first;
+    return result;
 }
 
 } // namespace Lixel::Cg

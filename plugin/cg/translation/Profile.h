@@ -11,6 +11,7 @@ namespace Lixel::Cg {
 struct Profile {
     Stage stage = Stage::Vertex;
     bool clampColours = false; ///< as Request::clampColours
+    std::string_view name;
 };
 
 /// The profile of that name, such as arbvp1 or ps_2_0. Nothing if it is none that can be translated.

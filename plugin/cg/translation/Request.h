@@ -26,6 +26,9 @@ struct Request {
     std::string source;
     /// What messages call the source.
     std::string file;
+    /// The profile that is translated for, such as ps_3_0. Of functions that a Cg source has for
+    /// several profiles it chooses one.
+    std::string profile;
     /// The function to start at.
     std::string entry = "main";
     /// 330 for OpenGL 3.3 and later, 120 for OpenGL 2.1.

@@ -19,13 +19,13 @@ using Words = std::unordered_set<std::string_view>;
 
 /// Words that the front end reserves and sources use as names. Where they are meant as keywords
 /// another word follows them.
-const Words ReservedWords = {"sample",         "texture",  "point",    "line",        "triangle",
-                             "linear",         "lineadj",  "centroid", "triangleadj", "precise",
-                             "snorm",          "unorm",    "shared",   "groupshared", "string",
-                             "noperspective",  "vector",   "matrix",   "dword",       "pass",
-                             "technique",      "class",    "this",     "export",      "namespace",
-                             "buffer",         "volatile", "extern",   "interface",   "packoffset",
-                             "nointerpolation"};
+const Words ReservedWords = {
+    "sample",     "texture",        "point",       "line",          "triangle", "linear",
+    "lineadj",    "centroid",       "triangleadj", "precise",       "snorm",    "unorm",
+    "shared",     "groupshared",    "string",      "noperspective", "vector",   "matrix",
+    "dword",      "pass",           "technique",   "sampler",       "class",    "this",
+    "export",     "namespace",      "buffer",      "volatile",      "extern",   "interface",
+    "packoffset", "nointerpolation"};
 
 /// The register or texture unit that a semantic names, or -1.
 int unitOf(const Tokens& tokens, TokenRange semantic) {
@@ -60,6 +60,7 @@ public:
         checkComplexity(mTokens, mMessages);
         if (firstError(mMessages) != nullptr) return {};
         mOutline = outlineOf(mTokens);
+        chooseProfiles();
         const FunctionOutline* entry = findEntry();
         if (entry == nullptr) return {};
         keepWhatIsReached(*entry);
@@ -122,6 +123,37 @@ private:
         return entry;
     }
 
+    /// Leaves out functions for other profiles, where there is one for this or for all.
+    void chooseProfiles() {
+        Words suitable;
+        for (const FunctionOutline& function : mOutline.functions)
+            if (function.profile.empty() || function.profile == mRequest.profile)
+                suitable.insert(mTokens[function.name].text);
+        Words taken;
+        std::vector<FunctionOutline> chosen;
+        for (const FunctionOutline& function : mOutline.functions) {
+            const std::string_view name = mTokens[function.name].text;
+            const bool isFirst = function.profile.empty() || taken.insert(name).second;
+            const bool isSuitable = function.profile.empty() ||
+                                    function.profile == mRequest.profile ||
+                                    suitable.count(name) == 0;
+            if (isFirst && isSuitable) {
+                chosen.push_back(function);
+                if (!function.profile.empty()) mEdits.erase({function.begin, function.begin + 1});
+            } else {
+                if (!function.profile.empty()) taken.erase(name);
+                eraseFunction(function);
+            }
+        }
+        mOutline.functions = std::move(chosen);
+    }
+
+    void eraseFunction(const FunctionOutline& function) {
+        const std::size_t end =
+            function.body.empty() ? function.parameters.last + 1 : function.body.last;
+        mEdits.erase({function.begin, std::min(end, mTokens.size())});
+    }
+
     void addWords(TokenRange range, std::vector<std::string_view>& fresh) {
         for (std::size_t at = range.first; at < range.last; ++at)
             if (mTokens[at].isWord() && mWords.insert(mTokens[at].text).second)
@@ -161,9 +193,7 @@ private:
         }
         for (const FunctionOutline& function : mOutline.functions) {
             if (std::find(mKept.begin(), mKept.end(), &function) != mKept.end()) continue;
-            const std::size_t end =
-                function.body.empty() ? function.parameters.last + 1 : function.body.last;
-            mEdits.erase({function.begin, std::min(end, mTokens.size())});
+            eraseFunction(function);
         }
     }
 
@@ -313,7 +343,8 @@ private:
         double elements = declarator.arrays.empty() ? 0 : 1;
         while (at < declarator.arrays.last) {
             const std::size_t end = mTokens.afterClosing(at, declarator.arrays.last);
-            const auto size = valueOf(mTokens, {at + 1, end - 1}, mConstants);
+            auto size = valueOf(mTokens, {at + 1, end - 1}, mConstants);
+            if (end == at + 2) size = sizeByInitial(declarator, parameter);
             if (!size || size->size() != 1 || !(size->front() >= 1) || size->front() > 65536) {
                 fail(at, "the size of the array '" + parameter.name + "' is not known");
                 return false;
@@ -327,6 +358,15 @@ private:
         }
         parameter.elements = static_cast<unsigned>(elements);
         return true;
+    }
+
+    /// The number of elements of an array without a size, which its initial value has.
+    std::optional<std::vector<double>> sizeByInitial(const Declarator& declarator,
+                                                     const Parameter& parameter) const {
+        const auto value = valueOf(mTokens, declarator.initial, mConstants);
+        if (!value || value->empty()) return {};
+        return std::vector<double>{static_cast<double>(value->size()) /
+                                   (parameter.rows * parameter.columns)};
     }
 
     bool readDefaults(const Declarator& declarator, Parameter& parameter) {
