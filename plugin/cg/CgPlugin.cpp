@@ -14,9 +14,34 @@ void setRank(const Ogre::String& language, int rank) {
         Ogre::UnifiedHighLevelGpuProgram::setPriority(language, rank);
 }
 
+class CacheFolderCommand : public Ogre::ParamCommand {
+public:
+    Ogre::String doGet(const void* target) const override {
+        return static_cast<const CgPlugin*>(static_cast<const Ogre::StringInterface*>(target))
+            ->cache()
+            .folder()
+            .string();
+    }
+    void doSet(void* target, const Ogre::String& value) override {
+        static_cast<CgPlugin*>(static_cast<Ogre::StringInterface*>(target))
+            ->cache()
+            .setFolder(value);
+    }
+};
+
 } // namespace
 
-CgPlugin::CgPlugin() : mCg(Language::Cg), mHlsl(Language::Hlsl) {}
+CgPlugin::CgPlugin()
+    : mCache(std::make_shared<TranslationCache>()),
+      mCg(Language::Cg, mCache),
+      mHlsl(Language::Hlsl, mCache) {
+    static CacheFolderCommand command;
+    if (createParamDictionary("LixelCg"))
+        getParamDictionary()->addParameter(
+            Ogre::ParameterDef("cache_folder", "Where translations are kept on disk.",
+                               Ogre::PT_STRING),
+            &command);
+}
 
 const Ogre::String& CgPlugin::getName() const {
     static const Ogre::String name = "Lixel Cg";

@@ -13,7 +13,7 @@ const Ogre::String& ProgramFactory::getLanguage() const {
 Ogre::GpuProgram* ProgramFactory::create(Ogre::ResourceManager* creator, const Ogre::String& name,
                                          Ogre::ResourceHandle handle, const Ogre::String& group,
                                          bool isManual, Ogre::ManualResourceLoader* loader) {
-    return new TranslatedProgram(mLanguage, creator, name, handle, group, isManual, loader);
+    return new TranslatedProgram(mLanguage, mCache, creator, name, handle, group, isManual, loader);
 }
 
 } // namespace Lixel::Cg

@@ -1,15 +1,19 @@
 #pragma once
 
+#include "cg/translation/Cache.h"
 #include "cg/translation/Request.h"
 
 #include <OgreHighLevelGpuProgramManager.h>
+
+#include <memory>
 
 namespace Lixel::Cg {
 
 /// Makes programs of one language for OGRE's scripts.
 class ProgramFactory : public Ogre::HighLevelGpuProgramFactory {
 public:
-    explicit ProgramFactory(Language language) : mLanguage(language) {}
+    ProgramFactory(Language language, std::shared_ptr<TranslationCache> cache)
+        : mLanguage(language), mCache(std::move(cache)) {}
 
     const Ogre::String& getLanguage() const override;
     Ogre::GpuProgram* create(Ogre::ResourceManager* creator, const Ogre::String& name,
@@ -18,6 +22,7 @@ public:
 
 private:
     Language mLanguage;
+    std::shared_ptr<TranslationCache> mCache;
 };
 
 } // namespace Lixel::Cg

@@ -1,8 +1,6 @@
 #include "cg/TranslatedProgram.h"
 
 #include "cg/RenderSystemGlsl.h"
-#include "cg/translation/Translate.h"
-
 #include <OgreException.h>
 #include <OgreGpuProgramManager.h>
 #include <OgreHighLevelGpuProgramManager.h>
@@ -16,27 +14,32 @@
 namespace Lixel::Cg {
 namespace {
 
+/// OGRE hands commands their target as a StringInterface.
+ProgramOptions& optionsOf(void* target) {
+    return static_cast<TranslatedProgram*>(static_cast<Ogre::StringInterface*>(target))->options();
+}
+const ProgramOptions& optionsOf(const void* target) {
+    return static_cast<const TranslatedProgram*>(static_cast<const Ogre::StringInterface*>(target))
+        ->options();
+}
+
 /// One of a script's words that says something of a program.
 template <std::string ProgramOptions::*Member>
 class TextCommand : public Ogre::ParamCommand {
 public:
-    Ogre::String doGet(const void* target) const override {
-        return static_cast<const TranslatedProgram*>(target)->options().*Member;
-    }
+    Ogre::String doGet(const void* target) const override { return optionsOf(target).*Member; }
     void doSet(void* target, const Ogre::String& value) override {
-        static_cast<TranslatedProgram*>(target)->options().*Member = value;
+        optionsOf(target).*Member = value;
     }
 };
 
 class ColumnMajorCommand : public Ogre::ParamCommand {
 public:
     Ogre::String doGet(const void* target) const override {
-        return Ogre::StringConverter::toString(
-            static_cast<const TranslatedProgram*>(target)->options().columnMajor);
+        return Ogre::StringConverter::toString(optionsOf(target).columnMajor);
     }
     void doSet(void* target, const Ogre::String& value) override {
-        static_cast<TranslatedProgram*>(target)->options().columnMajor =
-            Ogre::StringConverter::parseBool(value);
+        optionsOf(target).columnMajor = Ogre::StringConverter::parseBool(value);
     }
 };
 
@@ -84,11 +87,13 @@ Ogre::GpuConstantType constantTypeOf(const Parameter& parameter) {
 
 } // namespace
 
-TranslatedProgram::TranslatedProgram(Language language, Ogre::ResourceManager* creator,
-                                     const Ogre::String& name, Ogre::ResourceHandle handle,
-                                     const Ogre::String& group, bool isManual,
-                                     Ogre::ManualResourceLoader* loader)
-    : HighLevelGpuProgram(creator, name, handle, group, isManual, loader), mLanguage(language) {
+TranslatedProgram::TranslatedProgram(Language language, std::shared_ptr<TranslationCache> cache,
+                                     Ogre::ResourceManager* creator, const Ogre::String& name,
+                                     Ogre::ResourceHandle handle, const Ogre::String& group,
+                                     bool isManual, Ogre::ManualResourceLoader* loader)
+    : HighLevelGpuProgram(creator, name, handle, group, isManual, loader),
+      mLanguage(language),
+      mCache(std::move(cache)) {
     if (createParamDictionary("Lixel program in " + getLanguage())) {
         setupBaseParamDictionary();
         addScriptWords();
@@ -200,7 +205,11 @@ void TranslatedProgram::translateSource(const Profile& chosen) {
         }
         return {};
     };
-    mTranslation = translate(request);
+    mTranslation = mCache->translate(request);
+    if (mCache->takeFailedFolder())
+        Ogre::LogManager::getSingleton().logWarning(
+            "Lixel Cg: translations cannot be written to the cache_folder '" +
+            mCache->folder().string() + "'; they are kept in memory alone");
 }
 
 void TranslatedProgram::logWarnings() const {

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "cg/ProgramOptions.h"
-#include "cg/translation/Translation.h"
+#include "cg/translation/Cache.h"
 
 #include <OgreHighLevelGpuProgram.h>
 
+#include <memory>
 #include <optional>
 
 namespace Lixel::Cg {
@@ -16,7 +17,8 @@ namespace Lixel::Cg {
 /// takes another technique.
 class TranslatedProgram : public Ogre::HighLevelGpuProgram {
 public:
-    TranslatedProgram(Language language, Ogre::ResourceManager* creator, const Ogre::String& name,
+    TranslatedProgram(Language language, std::shared_ptr<TranslationCache> cache,
+                      Ogre::ResourceManager* creator, const Ogre::String& name,
                       Ogre::ResourceHandle handle, const Ogre::String& group, bool isManual,
                       Ogre::ManualResourceLoader* loader);
     ~TranslatedProgram() override;
@@ -52,6 +54,7 @@ private:
     void setDefaults(Ogre::GpuProgramParameters& parameters) const;
 
     Language mLanguage;
+    std::shared_ptr<TranslationCache> mCache;
     ProgramOptions mOptions;
     Translation mTranslation;
     /// Why the source could not be read; empty if it could.

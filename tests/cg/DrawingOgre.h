@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct RenderPath {
     bool separateShaders;
 };
 
+inline std::ostream& operator<<(std::ostream& stream, const RenderPath& path) {
+    return stream << path.name;
+}
+
 inline constexpr RenderPath GL3Plus = {"GL3Plus", "RenderSystem_GL3Plus", false};
 inline constexpr RenderPath GL3PlusSeparate = {"GL3PlusSeparate", "RenderSystem_GL3Plus", true};
 inline constexpr RenderPath LegacyGL = {"GL", "RenderSystem_GL", false};
@@ -30,6 +35,10 @@ struct Pixel {
     int red, green, blue;
     bool operator==(const Pixel&) const = default;
 };
+
+inline std::ostream& operator<<(std::ostream& stream, const Pixel& pixel) {
+    return stream << pixel.red << ' ' << pixel.green << ' ' << pixel.blue;
+}
 
 /// OGRE without a display, with Plugin_LixelCg and nothing else of Lixel's, a folder for scripts and
 /// programs, and one rectangle that fills the window.
@@ -50,6 +59,8 @@ public:
 
     /// What was logged since it was last asked and holds that text, a line each.
     std::string logged(const std::string& text) const;
+    /// What a test that fails should show: all that was logged of programs.
+    std::string problems() const { return logged("Program ") + logged("rror:"); }
     void clearLog() { mLines.clear(); }
 
     /// A pixel of the last picture; row 0 is the upper one.

@@ -53,7 +53,7 @@ void fragment_main(float4 texCoord : TEXCOORD0, fixed4 colour : COLOR,
                material("A", "a.cg", "cg", "param_named_auto worldViewProj worldviewproj_matrix",
                         "param_named tint float4 1 0.5 1 1"));
     ogre.readScripts();
-    EXPECT_EQ(ogre.draw("A"), (Pixel{51, 51, 217})) << ogre.logged("");
+    EXPECT_EQ(ogre.draw("A"), (Pixel{51, 51, 217})) << ogre.problems();
 }
 
 TEST_P(Drawing, HlslWithGlobalParameters) {
@@ -71,7 +71,7 @@ float4 fragment_main(float4 uv : TEXCOORD0) : COLOR { return float4(tint * scale
     ogre.write("b.material", material("B", "b.hlsl", "hlsl",
                                       "param_named_auto worldViewProj worldviewproj_matrix", ""));
     ogre.readScripts();
-    EXPECT_EQ(ogre.draw("B"), (Pixel{102, 51, 204})) << ogre.logged("");
+    EXPECT_EQ(ogre.draw("B"), (Pixel{102, 51, 204})) << ogre.problems();
 }
 
 TEST_P(Drawing, ObjectsHaveTheirOwnMatrices) {
@@ -95,7 +95,7 @@ float4 fragment_main(float4 c : COLOR) : COLOR { return c; })");
     right.setPosition(0.5F, 0, -0.1F);
     right.setScale(0.25F, 1, 1);
     ogre.draw("M");
-    EXPECT_EQ(ogre.pixel(2, 8), (Pixel{128, 0, 0})) << ogre.logged("");
+    EXPECT_EQ(ogre.pixel(2, 8), (Pixel{128, 0, 0})) << ogre.problems();
     EXPECT_EQ(ogre.pixel(12, 8), (Pixel{64, 0, 0}));
     EXPECT_EQ(ogre.pixel(15, 8), (Pixel{255, 0, 0}));
 }
@@ -129,7 +129,7 @@ float4 fragment_main(float2 uv : TEXCOORD0, uniform samplerCUBE sky,
     script.replace(script.rfind("} } } }"), std::string::npos, units);
     ogre.write("s.material", script);
     ogre.readScripts();
-    EXPECT_EQ(ogre.draw("S"), (Pixel{51, 102, 153})) << ogre.logged("");
+    EXPECT_EQ(ogre.draw("S"), (Pixel{51, 102, 153})) << ogre.problems();
 }
 
 } // namespace
