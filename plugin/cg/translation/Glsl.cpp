@@ -89,6 +89,8 @@ private:
             } else if (token.is("gl_FragData") && mTokens.isAt(at + 1, "[")) {
                 // Their index is the output's, not yet a render target's.
                 mEdits.replace({at, at + 4}, "lixel_out" + std::string(mTokens[at + 2].text));
+            } else if (token.is("switch") && mRequest.glslVersion < 130) {
+                fail("OpenGL 2.1 has no switch; use if");
             }
         }
     }

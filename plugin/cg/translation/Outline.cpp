@@ -176,9 +176,22 @@ private:
         function.begin = begin;
         if (profileOf(mTokens[begin].text)) function.profile = mTokens[begin].text;
         function.name = open - 1;
+        const std::size_t end = body.empty() ? close : body.first;
+        const bool isSemantic =
+            end == close + 2 && mTokens[close].is(":") && mTokens[close + 1].isWord();
+        function.hasGoodHead = hasType(begin + (function.profile.empty() ? 0 : 1), function.name) &&
+                               (end == close || isSemantic);
         function.parameters = {open + 1, std::max(open + 1, close - 1)};
         function.body = body;
         mOutline.functions.push_back(function);
+    }
+
+    bool hasType(std::size_t at, std::size_t name) const {
+        while (at < name && mTokens[at].is("["))
+            at = mTokens.afterClosing(at, name);
+        while (at < name && Modifiers.count(mTokens[at].text) != 0)
+            ++at;
+        return at < name && afterType(mTokens, at, name) == name;
     }
 
     void addVariables(TokenRange range) {
@@ -195,6 +208,8 @@ private:
         }
         if (auto declaration = declarationOf(mTokens, range))
             mOutline.variables.push_back(std::move(*declaration));
+        else
+            mOutline.unknown.push_back(range);
     }
 
     const Tokens& mTokens;

@@ -32,8 +32,9 @@ struct FunctionOutline {
     /// The profile that Cg has it for, which stands before all else; empty if it is for all.
     std::string_view profile;
     std::size_t name = 0;
-    TokenRange parameters; ///< within the parentheses
-    TokenRange body;       ///< with its braces; empty if it is only declared
+    bool hasGoodHead = false; ///< a type before the name, and one semantic or none at the end
+    TokenRange parameters;    ///< within the parentheses
+    TokenRange body;          ///< with its braces; empty if it is only declared
 };
 
 /// What a source declares outside of functions.
@@ -45,6 +46,8 @@ struct Outline {
     std::unordered_set<std::string_view> structNames;
     /// Heads and ends of constant buffers, whose members are among the variables.
     std::vector<TokenRange> bufferMarks;
+    /// Statements that are no declarations.
+    std::vector<TokenRange> unknown;
     /// Techniques and other parts of effect files, which programs do not need.
     std::vector<TokenRange> effects;
 };

@@ -51,6 +51,16 @@ constexpr LibraryFunction Functions[] = {
 
 constexpr std::string_view Prefix = "lixel_cg_";
 
+} // namespace
+
+std::string preludeNameOf(std::string_view name) {
+    if (name == PostIncrement) name = "increment";
+    if (name == PostDecrement) name = "decrement";
+    return std::string(Prefix) + std::string(name);
+}
+
+namespace {
+
 /// A lookup in a vertex program, which has no derivatives, is of the largest image.
 struct Lookup {
     std::string_view name;
@@ -68,6 +78,20 @@ constexpr Lookup Lookups[] = {
     {"lookupCUBE", "float4 $lookupCUBE(samplerCUBE s, float3 c) { return texCUBE(s, c); }",
      "float4 $lookupCUBE(samplerCUBE s, float3 c) { return texCUBElod(s, float4(c, 0)); }"},
 };
+
+/// Overloads for all types that can be counted with.
+std::string countingFunctions(std::string_view sign) {
+    const std::string name = preludeNameOf(sign);
+    std::string text;
+    for (const char* base : {"int", "uint", "float"}) {
+        for (const char* size : {"", "2", "3", "4"}) {
+            const std::string type = std::string(base) + size;
+            text += type + ' ' + name + "(inout " + type + " x) { " + type + " y = x; x " +
+                    (sign == PostIncrement ? '+' : '-') + "= 1; return y; }\n";
+        }
+    }
+    return text;
+}
 
 /// With the prefix in the place of $, and before the lookups.
 std::string prefixed(std::string_view text) {
@@ -93,10 +117,6 @@ bool isInPrelude(Language language, std::string_view name) {
     return false;
 }
 
-std::string preludeNameOf(std::string_view name) {
-    return std::string(Prefix) + std::string(name);
-}
-
 std::string preludeFor(Stage stage, const std::unordered_set<std::string_view>& names) {
     std::string functions;
     for (const LibraryFunction& function : Functions)
@@ -106,6 +126,8 @@ std::string preludeFor(Stage stage, const std::unordered_set<std::string_view>& 
         if (functions.find(lookup.name) == std::string::npos) continue;
         lookups += prefixed(stage == Stage::Fragment ? lookup.inFragment : lookup.inVertex);
     }
+    for (const std::string_view sign : {PostIncrement, PostDecrement})
+        if (names.count(sign) != 0) functions += countingFunctions(sign);
     return lookups + functions;
 }
 

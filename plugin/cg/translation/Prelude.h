@@ -17,6 +17,10 @@ bool isInPrelude(Language language, std::string_view name);
 
 std::string preludeNameOf(std::string_view name);
 
+/// Names, for preludeFor, of functions that do what ++ and -- after a variable do.
+inline constexpr std::string_view PostIncrement = "++";
+inline constexpr std::string_view PostDecrement = "--";
+
 /// HLSL that defines these functions, to go before a source.
 std::string preludeFor(Stage stage, const std::unordered_set<std::string_view>& names);
 

@@ -4,6 +4,7 @@
 #include "cg/translation/DefaultValue.h"
 #include "cg/translation/Edits.h"
 #include "cg/translation/Initializers.h"
+#include "cg/translation/Names.h"
 #include "cg/translation/Prelude.h"
 #include "cg/translation/Types.h"
 
@@ -68,11 +69,22 @@ public:
             mEdits.erase(mark);
         for (const TokenRange effect : mOutline.effects)
             mEdits.erase(effect);
+        mGlobals = mOutline.structNames;
+        mGlobals.insert(mOutline.typeNames.begin(), mOutline.typeNames.end());
         for (const Declaration& variable : mOutline.variables)
             rewriteGlobal(variable);
+        for (const TokenRange range : mOutline.unknown)
+            fail(range.first, "this is not a declaration");
         for (const FunctionOutline* function : mKept) {
+            if (!function->hasGoodHead)
+                fail(function->name,
+                     "neither a function nor a variable: '" + nameAt(function->name) + '\'');
+            checkBody(*function);
             if (function != entry) rewriteParameters(*function);
         }
+        // As the front end would say it.
+        if (const auto unknown = unknownName(mTokens, mOutline, mKept))
+            fail(*unknown, '\'' + nameAt(*unknown) + "' : unknown variable");
         rewriteEntry(*entry);
         groupInitializers(mTokens, mConstants, mEdits);
         rewriteWords();
@@ -225,6 +237,7 @@ private:
             const std::size_t messages = mMessages.size();
             std::string one = parameterText(declaration, declarator, plainNameAt(declarator.name));
             if (mWords.count(mTokens[declarator.name].text) != 0) {
+                checkNew(declarator);
                 text += one;
             } else {
                 // Whatever it is, it does not matter here.
@@ -249,8 +262,16 @@ private:
                                    : uniformText(declaration, declarator, hlslName);
     }
 
+    /// The front end does not survive a parameter with the name of another global variable.
+    void checkNew(const Declarator& declarator) {
+        const std::string_view name = mTokens[declarator.name].text;
+        if (!mGlobals.insert(name).second)
+            fail(declarator.name, "declared twice: '" + std::string(name) + '\'');
+    }
+
     void noteConstants(const Declaration& declaration) {
         for (const Declarator& declarator : declaration.declarators) {
+            checkNew(declarator);
             if (auto value = valueOf(mTokens, declarator.initial, mConstants))
                 mConstants[mTokens[declarator.name].text] = std::move(*value);
             if (!declarator.annotation.empty()) mEdits.erase(declarator.annotation);
@@ -392,6 +413,72 @@ private:
         return mRowMajorPragma && mRequest.columnMajor;
     }
 
+    /// The front end does not survive some of what is wrong in a function.
+    void checkBody(const FunctionOutline& function) {
+        checkFunctionsWithin(function);
+        for (std::size_t at = function.body.first + 1; at + 1 < function.body.last; ++at)
+            if (mTokens[at].is("++") || mTokens[at].is("--")) rewriteCounting(function, at);
+    }
+
+    /// Nor does it survive ++ or -- after what cannot be counted with; before it, it does.
+    void rewriteCounting(const FunctionOutline& function, std::size_t sign) {
+        const std::size_t begin = beginOfOperand(function, sign);
+        if (begin == sign) return; // it stands before its variable
+        const Token& before = mTokens[begin - 1];
+        const Token& after = mTokens[sign + 1];
+        const std::string text(mTokens[sign].text);
+        const bool isStatement = (before.is(";") || before.is("{") || before.is("}")) &&
+                                 (after.is(";") || after.is(")"));
+        if (isStatement) {
+            mEdits.insertBefore(begin, text + ' ');
+            mEdits.erase({sign, sign + 1});
+        } else {
+            mFromPrelude.insert(text == "++" ? PostIncrement : PostDecrement);
+            mEdits.insertBefore(begin, preludeNameOf(text) + '(');
+            mEdits.replace(sign, ")");
+        }
+    }
+
+    /// The first token of a[i].x, f(x) and the like, which ends before an index; the index itself if
+    /// there is none.
+    std::size_t beginOfOperand(const FunctionOutline& function, std::size_t end) const {
+        static const Words keywords = {"return", "else", "do", "case"};
+        std::size_t begin = end;
+        while (begin > function.body.first + 1) {
+            const Token& last = mTokens[begin - 1];
+            if (last.is("]") || last.is(")")) {
+                std::size_t depth = 0;
+                do {
+                    --begin;
+                    if (mTokens[begin].is("]") || mTokens[begin].is(")")) ++depth;
+                    if (mTokens[begin].is("[") || mTokens[begin].is("(")) --depth;
+                } while (depth > 0 && begin > function.body.first + 1);
+                // What is before it belongs to it, as in a[i] and f(x); or nothing, as in (x).
+                const Token& previous = mTokens[begin - 1];
+                if (!previous.isWord() && !previous.is("]") && !previous.is(")")) break;
+            } else if (last.isWord() && keywords.count(last.text) == 0) {
+                --begin;
+                if (!mTokens[begin - 1].is(".")) break;
+                --begin;
+            } else {
+                break;
+            }
+        }
+        return begin;
+    }
+
+    void checkFunctionsWithin(const FunctionOutline& function) {
+        static const Words statements = {"if", "for", "while", "switch"};
+        for (std::size_t at = function.body.first; at + 2 < function.body.last; ++at) {
+            if (!mTokens[at].isWord() || !mTokens[at + 1].isWord() || !mTokens[at + 2].is("(") ||
+                statements.count(mTokens[at + 1].text) != 0)
+                continue;
+            const std::size_t after = mTokens.afterClosing(at + 2, function.body.last);
+            if (mTokens.isAt(after, "{") || mTokens.isAt(after, ":"))
+                fail(at + 1, "a function within a function: '" + nameAt(at + 1) + '\'');
+        }
+    }
+
     /// Takes away what only parameters of an entry point may have.
     void rewriteParameters(const FunctionOutline& function) {
         for (const TokenRange range : splitAtCommas(mTokens, function.parameters)) {
@@ -423,9 +510,9 @@ private:
         const auto parts = splitAtCommas(mTokens, entry.parameters);
         for (const TokenRange range : parts) {
             const auto declaration = declarationOf(mTokens, range);
-            // void, or nothing that is a parameter: the front end says what is wrong with it.
             if (!declaration || declaration->declarators.empty()) {
-                keptOne = true;
+                if (!mTokens[range.first].is("void") || range.last != range.first + 1)
+                    fail(range.first, "this is not a parameter");
                 continue;
             }
             if (isUniformParameter(*declaration)) {
@@ -470,6 +557,9 @@ private:
             for (std::size_t at = entry.body.first; at < entry.body.last; ++at)
                 if (mTokens[at].is(name) && !mTokens[at - 1].is(".")) mRenamed[at] = hlslName;
         }
+        if (hlslName == name) checkNew(declarator);
+        if (!mHoisted.insert(mTokens[declarator.name].text).second)
+            return fail(declarator.name, "declared twice: '" + name + '\'');
         const std::string text = parameterText(declaration, declarator, hlslName);
         mEdits.insertBefore(entry.begin, lineDirective(mTokens, mTokens[declarator.name].place) +
                                              text +
@@ -503,6 +593,9 @@ private:
             if (token.is("glstate") && mWords.count(token.text) != 0)
                 fail(at, "glstate is not supported; take a parameter, and have the script set it "
                          "by param_named_auto");
+            if (token.text.starts_with("lixel_") && mWords.count(token.text) != 0)
+                fail(at,
+                     "names that begin with lixel_ are taken: '" + std::string(token.text) + '\'');
             const bool wordNext = at + 1 < mTokens.size() && mTokens[at + 1].isWord();
             const bool templateNext =
                 (token.is("vector") || token.is("matrix")) && mTokens.isAt(at + 1, "<");
@@ -531,6 +624,8 @@ private:
     Words mWords;   ///< of what is kept
     Words mDefined; ///< the names of functions
     Words mFromPrelude;
+    Words mHoisted; ///< uniform parameters of the entry point
+    Words mGlobals; ///< names that are taken outside of functions
     Constants mConstants;
     std::unordered_map<std::size_t, std::string> mRenamed;
     Rewritten mResult;
