@@ -109,7 +109,13 @@ Pixel DrawingOgre::pixel(unsigned column, unsigned row) const {
     return {rgb[0], rgb[1], rgb[2]};
 }
 
+void DrawingOgre::clearLog() {
+    const std::lock_guard lock(mLogging);
+    mLines.clear();
+}
+
 std::string DrawingOgre::logged(const std::string& text) const {
+    const std::lock_guard lock(mLogging);
     std::string lines;
     for (const std::string& line : mLines)
         if (line.find(text) != std::string::npos) lines += line + '\n';
@@ -118,6 +124,7 @@ std::string DrawingOgre::logged(const std::string& text) const {
 
 void DrawingOgre::messageLogged(const Ogre::String& message, Ogre::LogMessageLevel, bool,
                                 const Ogre::String&, bool&) {
+    const std::lock_guard lock(mLogging);
     mLines.push_back(message);
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -61,7 +62,7 @@ public:
     std::string logged(const std::string& text) const;
     /// What a test that fails should show: all that was logged of programs.
     std::string problems() const { return logged("Program ") + logged("rror:"); }
-    void clearLog() { mLines.clear(); }
+    void clearLog();
 
     /// A pixel of the last picture; row 0 is the upper one.
     Pixel pixel(unsigned column, unsigned row) const;
@@ -81,6 +82,8 @@ private:
     Ogre::ManualObject* makeRectangle(const std::string& material);
 
     std::filesystem::path mFolder;
+    /// OGRE's worker threads log too.
+    mutable std::mutex mLogging;
     std::vector<std::string> mLines;
     std::unique_ptr<Ogre::LogManager> mLogs;
     std::unique_ptr<Ogre::Root> mRoot;
