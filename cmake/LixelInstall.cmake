@@ -5,6 +5,8 @@
 #   lib/libLixelHeadless.so            target Lixel::Headless
 #   lib/libLixelRTSS.so                target Lixel::RTSS
 #   lib/OGRE/Plugin_Lixel.so           what plugins.cfg names
+#   lib/OGRE/Plugin_LixelCg.so         programs in Cg and HLSL, which works alone
+#   bin/lixel-shaderc                  prints what they are translated to
 #   lib/cmake/Lixel/                   the package's configuration
 #   share/Lixel/materials/             scripts and programs (materials/CMakeLists.txt)
 #   share/Lixel/{plugins,resources}.cfg  the entries that an application needs, to copy
@@ -30,6 +32,12 @@ if(LIXEL_BUILD_RTSS)
   install(TARGETS LixelRTSS EXPORT LixelTargets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 endif()
 install(TARGETS Plugin_Lixel LIBRARY DESTINATION "${LIXEL_INSTALL_PLUGINS}")
+if(LIXEL_BUILD_CG)
+  install(TARGETS Plugin_LixelCg LIBRARY DESTINATION "${LIXEL_INSTALL_PLUGINS}")
+  if(LIXEL_BUILD_SAMPLES)
+    install(TARGETS lixel-shaderc RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  endif()
+endif()
 # What users need, and what these headers include.
 set(public_headers
   fit/geometry/BoxSet.h
@@ -107,6 +115,8 @@ install(CODE "
   set(LIXEL_CFG_OGRE_PLUGINS \"${OGRE_PLUGIN_DIR}\")
   set(LIXEL_CFG_OGRE_SHADOWS \"${LIXEL_OGRE_SHADOW_MEDIA}\")
   set(LIXEL_CFG_PLUGIN \"\${CMAKE_INSTALL_PREFIX}/${LIXEL_INSTALL_PLUGINS}/Plugin_Lixel.so\")
+  set(LIXEL_CFG_CG_PLUGIN
+      \"\${CMAKE_INSTALL_PREFIX}/${LIXEL_INSTALL_PLUGINS}/Plugin_LixelCg.so\")
   set(LIXEL_CFG_MATERIALS \"\${CMAKE_INSTALL_PREFIX}/${LIXEL_INSTALL_SHARE}/materials\")
   foreach(file plugins.cfg resources.cfg)
     configure_file(\"\${source}/\${file}.in\" \"\${generated}/\${file}\" @ONLY)
