@@ -6,9 +6,9 @@
 
 namespace Lixel::Cg {
 
-/// Has a program that a script declares in several languages, such as `vertex_program Name hlsl glsl`,
-/// made in GLSL where that is one of them. OGRE takes the first language that there is, and such
-/// scripts mean HLSL for Direct3D.
+/// Has a program that a script declares in several languages, such as `vertex_program Name hlsl
+/// glsl`, made in GLSL where that is one of them. OGRE takes the first language that there is, and
+/// such scripts mean HLSL for Direct3D.
 ///
 /// It translates nothing itself: it takes languages out of a declaration before OGRE reads it.
 class LanguageChoice : public Ogre::ScriptTranslatorManager {

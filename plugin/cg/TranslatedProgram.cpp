@@ -56,9 +56,9 @@ TextCommand<&ProgramOptions::compileArguments> theArgumentsCommand;
 ColumnMajorCommand theColumnMajorCommand;
 IgnoredCommand theIgnoredCommand;
 
-/// Makes GLSL programs that OGRE's manager does not list. When OGRE ends it walks its lists and lets
-/// go of what is in them; the destructor of a translated program would take its inner one from the
-/// list that is being walked.
+/// Makes GLSL programs that OGRE's manager does not list. When OGRE ends it walks its lists and
+/// lets go of what is in them; the destructor of a translated program would take its inner one from
+/// the list that is being walked.
 class UnlistedPrograms : public Ogre::HighLevelGpuProgramManager {
 public:
     static Ogre::GpuProgramPtr make(const Ogre::String& name, const Ogre::String& group,
@@ -244,9 +244,6 @@ void TranslatedProgram::unloadHighLevelImpl() {
 
 void TranslatedProgram::buildConstantDefinitions() const {
     createParameterMappingStructures(true);
-    // Parameters have no indices here.
-    mFloatLogicalToPhysical.reset();
-    mIntLogicalToPhysical.reset();
     Ogre::GpuNamedConstants* const constants = innerConstants();
     if (constants != nullptr) {
         mConstantDefs->floatBufferSize = constants->floatBufferSize;
@@ -281,8 +278,8 @@ void TranslatedProgram::addDefinition(const Parameter& parameter,
         mConstantDefs->map.emplace(parameter.name, definition);
         return;
     }
-    // What OpenGL has no use for can be set all the same, as scripts do: after all others, and at no
-    // location of OpenGL's.
+    // What OpenGL has no use for can be set all the same, as scripts do: after all others, and at
+    // no location of OpenGL's.
     Ogre::GpuConstantDefinition definition;
     definition.constType = constantTypeOf(parameter);
     definition.elementSize =

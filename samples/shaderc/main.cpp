@@ -1,5 +1,5 @@
-// lixel-shaderc FILE --entry NAME --profile P: what Plugin_LixelCg makes of a Cg or HLSL program, for
-// people who port programs, or who look for what is wrong with one.
+// lixel-shaderc FILE --entry NAME --profile P: what Plugin_LixelCg makes of a Cg or HLSL program,
+// for people who port programs, or who look for what is wrong with one.
 
 #include "cg/translation/Profile.h"
 #include "cg/translation/Translate.h"

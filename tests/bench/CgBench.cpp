@@ -30,10 +30,12 @@ double cpuMilliseconds() {
     return 1e3 * static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-/// The numbered program: lights and shadows of the kind that articles have, each a little different.
+/// The numbered program: lights and shadows of the kind that articles have, each a little
+/// different.
 std::string sourceOf(int number) {
     return "static const float number = " + std::to_string(number) + R"(;
-struct Varyings { float4 position : POSITION; float4 shadow : TEXCOORD0; float3 normal : TEXCOORD1; };
+struct Varyings {
+    float4 position : POSITION; float4 shadow : TEXCOORD0; float3 normal : TEXCOORD1; };
 Varyings vertex_main(float4 position : POSITION, float3 normal : NORMAL,
                      uniform float4x4 worldViewProj, uniform float4x4 world,
                      uniform float4x4 textureViewProj) {

@@ -41,8 +41,8 @@ inline std::ostream& operator<<(std::ostream& stream, const Pixel& pixel) {
     return stream << pixel.red << ' ' << pixel.green << ' ' << pixel.blue;
 }
 
-/// OGRE without a display, with Plugin_LixelCg and nothing else of Lixel's, a folder for scripts and
-/// programs, and one rectangle that fills the window.
+/// OGRE without a display, with Plugin_LixelCg and nothing else of Lixel's, a folder for scripts
+/// and programs, and one rectangle that fills the window.
 class DrawingOgre : public Ogre::LogListener {
 public:
     explicit DrawingOgre(const RenderPath& path);
@@ -53,8 +53,8 @@ public:
     void readScripts() const;
     const std::filesystem::path& folder() const { return mFolder; }
 
-    /// The rectangle in that material, in the middle of the window. It has the corners ±1 and 0.5 as
-    /// z, the normal (0, 0, 1), the colour (0.2, 0.4, 0.6), and 0 to 1 as texture coordinates.
+    /// The rectangle in that material, in the middle of the window. It has the corners ±1 and 0.5
+    /// as z, the normal (0, 0, 1), the colour (0.2, 0.4, 0.6), and 0 to 1 as texture coordinates.
     Pixel draw(const std::string& material);
     const std::vector<std::uint8_t>& picture(const std::string& material);
 

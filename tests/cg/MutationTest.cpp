@@ -16,9 +16,11 @@ namespace {
 const std::vector<std::string> Seeds = {
     R"(#include "a.cgh"
 // a comment
-static const float two = 2; float2 offsets[2] = { 1, 2, 3, 4 }; uniform float4 tint = float4(1, .5x, 2f, two);
+static const float two = 2; float2 offsets[2] = { 1, 2, 3, 4 };
+uniform float4 tint = float4(1, .5x, 2f, two);
 struct Out { float4 p : POSITION; float2 uv[2] : TEXCOORD0; fixed4 c : COLOR; };
-Out main(in varying float4 p : POSITION, float3 n : NORMAL, uniform float4x4 world, uniform float3x4 bones[3],
+Out main(in varying float4 p : POSITION, float3 n : NORMAL, uniform float4x4 world,
+         uniform float3x4 bones[3],
          uniform bool on, int4 b : BLENDINDICES) {
     Out o; o.p = mul(world, float4(mul(bones[b.x], p), 1));
     for (int i = 0; i < 2; i++) { o.uv[i] = on ? offsets[i] : helper(n).xy; }
@@ -189,8 +191,8 @@ TEST(Mutations, AreTranslatedOrRefused) {
     // Neither all nor none: else nothing was tried.
     EXPECT_GT(translated, mutations() / 50);
     EXPECT_LT(translated, mutations() * 9 / 10);
-    // A few are wrong in ways that only GLSL's compiler sees, such as endless loops. OGRE logs what it
-    // says, and takes another technique.
+    // A few are wrong in ways that only GLSL's compiler sees, such as endless loops. OGRE logs what
+    // it says, and takes another technique.
     EXPECT_LE(refused * 1000, mutations());
     RecordProperty("refused", std::to_string(refused));
     RecordProperty("translated", std::to_string(translated));

@@ -76,6 +76,14 @@ TEST_P(Scripts, NumbersArePadded) {
     EXPECT_EQ(ogre.draw("M"), (Pixel{51, 102, 153})) << ogre.problems();
 }
 
+TEST_P(Scripts, ParametersByIndexHaveNoEffect) {
+    writeProgram("float4 main(uniform float4 a) : COLOR { return a; }", "profiles arbfp1",
+                 "param_named a float4 0 1 0 1\nparam_indexed 0 float4 1 1 1 1\n"
+                 "param_indexed 7 float8 1 1 1 1 1 1 1 1\n"
+                 "param_indexed_auto 3 worldviewproj_matrix");
+    EXPECT_EQ(ogre.draw("M"), (Pixel{0, 255, 0})) << ogre.problems();
+}
+
 TEST_P(Scripts, WhatChongsArticleUses) {
     ogre.write("shadow.hlsl", R"(
 void main(float4 position : POSITION, float4 normal : NORMAL, out float4 outPos : POSITION,

@@ -1,5 +1,6 @@
-// lixel-cg-survey RENDER-SYSTEM FOLDER...: which Cg and HLSL programs of a folder's scripts OGRE can
-// load and draw with Plugin_LixelCg, and why not the others. For shaders that nobody here wrote.
+// lixel-cg-survey RENDER-SYSTEM FOLDER...: which Cg and HLSL programs of a folder's scripts OGRE
+// can load and draw with Plugin_LixelCg, and why not the others. For shaders that nobody here
+// wrote.
 
 #include "DrawingOgre.h"
 

@@ -202,7 +202,8 @@ TEST(Names, OfGlslAndOfOgre) {
     const Translation t = translated({Stage::Vertex, R"(
 float4 mix(float4 a) { return a; }
 float4 main(float4 vertex : POSITION, uniform float4 uniform__x, uniform float4 output,
-            uniform float4 vec4) : POSITION { return mix(vertex) + uniform__x * output + vec4; })"});
+            uniform float4 vec4) : POSITION {
+    return mix(vertex) + uniform__x * output + vec4; })"});
     EXPECT_TRUE(parameterOf(t, "uniform__x").used);
     EXPECT_TRUE(parameterOf(t, "vec4").used);
     EXPECT_EQ(t.attributes, std::vector<std::string>{"vertex"});
@@ -210,10 +211,12 @@ float4 main(float4 vertex : POSITION, uniform float4 uniform__x, uniform float4 
 
 TEST(Interface, AttributesAndVaryings) {
     const Translation t = translated({Stage::Vertex, R"(
-struct Out { float4 p : POSITION; float2 uv[2] : TEXCOORD0; float3x3 m : TEXCOORD2; float f : FOG; };
+struct Out {
+    float4 p : POSITION; float2 uv[2] : TEXCOORD0; float3x3 m : TEXCOORD2; float f : FOG; };
 Out main(float3 p : POSITION, float3 n : NORMAL, float4 c : COLOR, float2 uv3 : TEXCOORD3,
          float3 t : TANGENT, int4 b : BLENDINDICES, float w : BLENDWEIGHT) {
-    Out o; o.p = float4(p, 1); o.uv[0] = uv3; o.uv[1] = c.xy; o.m[0] = n; o.m[1] = t; o.m[2] = b.xyz;
+    Out o; o.p = float4(p, 1); o.uv[0] = uv3; o.uv[1] = c.xy;
+    o.m[0] = n; o.m[1] = t; o.m[2] = b.xyz;
     o.f = w; return o; })"});
     EXPECT_EQ(t.attributes, (std::vector<std::string>{"vertex", "normal", "colour", "uv3",
                                                       "tangent", "blendIndices", "blendWeights"}));
@@ -274,7 +277,8 @@ TEST(Parameters, OfMatricesInTheOtherOrderAreTransposed) {
 TEST(Hlsl, ConstantBuffersAndSeparateSamplers) {
     Source source = {Stage::Fragment, R"(
 cbuffer Numbers : register(b0) { float4 tint : packoffset(c0); float scale; };
-Texture2D image : register(t2); SamplerState state : register(s2); SamplerState other : register(s1);
+Texture2D image : register(t2); SamplerState state : register(s2);
+SamplerState other : register(s1);
 Texture2D second;
 float4 read(Texture2D t, SamplerState s, float2 uv) { return t.Sample(s, uv); }
 struct Input { float4 position : SV_Position; float2 uv : TEXCOORD0; };

@@ -16,8 +16,8 @@ namespace Lixel::Cg {
 /// Translations that have been made, in memory and, where there is a folder for it, on disk.
 ///
 /// One is found again by all that it was made of: the request, the texts of the files that it
-/// includes, and the versions of the translator. Those with errors are not kept. For several threads,
-/// and a folder for several processes, at once.
+/// includes, and the versions of the translator. Those with errors are not kept. For several
+/// threads, and a folder for several processes, at once.
 class TranslationCache {
 public:
     /// Where translations are kept on disk; it is made where it does not exist. Empty, as it is at

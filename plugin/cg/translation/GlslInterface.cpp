@@ -59,8 +59,8 @@ std::string widened(const InterfaceVariable& variable, const std::string& part) 
     return "vec4(" + floats + Rest[variable.components];
 }
 
-/// The vectors of a variable: elements of an array, columns of a matrix. With each, the index of the
-/// semantic is one more.
+/// The vectors of a variable: elements of an array, columns of a matrix. With each, the index of
+/// the semantic is one more.
 std::vector<std::string> partsOf(const InterfaceVariable& variable) {
     std::vector<std::string> parts;
     for (unsigned element = 0; element < std::max(variable.elements, 1u); ++element) {

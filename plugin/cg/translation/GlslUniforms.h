@@ -10,9 +10,9 @@
 namespace Lixel::Cg {
 
 /// Replaces, in SPIRV-Cross's text, the members of the structure of globals by uniforms of their
-/// own, and returns these uniforms' declarations. Numbers, vectors and rows of matrices are padded to
-/// four components: so OGRE fills them for Cg and Direct3D, and scripts may give four numbers to a
-/// float3. Adds the parameters to the translation.
+/// own, and returns these uniforms' declarations. Numbers, vectors and rows of matrices are padded
+/// to four components: so OGRE fills them for Cg and Direct3D, and scripts may give four numbers to
+/// a float3. Adds the parameters to the translation.
 std::string replaceGlobals(const Rewritten& source, const RawGlsl& raw, const Tokens& tokens,
                            Edits& edits, Translation& translation);
 

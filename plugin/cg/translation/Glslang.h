@@ -36,7 +36,8 @@ private:
     std::vector<const char*> mNames;
 };
 
-/// Adds the messages of one of glslang's logs. Those that say only how many there were are left out.
+/// Adds the messages of one of glslang's logs. Those that say only how many there were are left
+/// out.
 void readLog(std::string_view log, Messages& messages);
 
 } // namespace Lixel::Cg

@@ -24,8 +24,8 @@ inline constexpr std::string_view PostDecrement = "--";
 /// HLSL that defines these functions, to go before a source.
 std::string preludeFor(Stage stage, const std::unordered_set<std::string_view>& names);
 
-/// Why a call of that function, named as the front end does ("lixel_cg_tex2D(s21;vf3;"), is refused;
-/// null where it is not.
+/// Why a call of that function, named as the front end does ("lixel_cg_tex2D(s21;vf3;"), is
+/// refused; null where it is not.
 const char* whyRefused(std::string_view function);
 
 } // namespace Lixel::Cg

@@ -14,7 +14,8 @@ struct Profile {
     std::string_view name;
 };
 
-/// The profile of that name, such as arbvp1 or ps_2_0. Nothing if it is none that can be translated.
+/// The profile of that name, such as arbvp1 or ps_2_0. Nothing if it is none that can be
+/// translated.
 std::optional<Profile> profileOf(std::string_view name);
 
 } // namespace Lixel::Cg

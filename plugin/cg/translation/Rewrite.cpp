@@ -439,8 +439,8 @@ private:
         }
     }
 
-    /// The first token of a[i].x, f(x) and the like, which ends before an index; the index itself if
-    /// there is none.
+    /// The first token of a[i].x, f(x) and the like, which ends before an index; the index itself
+    /// if there is none.
     std::size_t beginOfOperand(const FunctionOutline& function, std::size_t end) const {
         static const Words keywords = {"return", "else", "do", "case"};
         std::size_t begin = end;
@@ -546,8 +546,8 @@ private:
                                       "' is neither uniform nor has it a semantic");
     }
 
-    /// Makes a uniform parameter of the entry point a global one: as an argument it would be copied,
-    /// arrays as a whole.
+    /// Makes a uniform parameter of the entry point a global one: as an argument it would be
+    /// copied, arrays as a whole.
     void hoist(const FunctionOutline& entry, const Declaration& declaration) {
         const Declarator& declarator = declaration.declarators.front();
         const std::string name = nameAt(declarator.name);

@@ -39,8 +39,8 @@ struct Rewritten {
 
 /// Turns a preprocessed source into HLSL that the front end takes for what it means: uniform
 /// parameters of the entry point become global, default values and registers are taken out and
-/// noted, functions that the entry point does not reach are left out, words that Cg does not reserve
-/// get other names. Nothing if there was an error, which is added to messages.
+/// noted, functions that the entry point does not reach are left out, words that Cg does not
+/// reserve get other names. Nothing if there was an error, which is added to messages.
 std::optional<Rewritten> rewrite(const Request& request, std::string_view preprocessed,
                                  Messages& messages);
 
