@@ -252,12 +252,14 @@ void TranslatedProgram::buildConstantDefinitions() const {
     }
     for (const Parameter& parameter : mTranslation.parameters)
         addDefinition(parameter, constants);
-    // With separate shader objects OGRE uploads what has a definition here. No name of a source's
-    // has a space.
-    for (const Sampler& sampler : mTranslation.samplers)
-        if (constants != nullptr && constants->map.count(sampler.glslName) != 0)
-            mConstantDefs->map.emplace("sampler " + sampler.name,
-                                       constants->map.at(sampler.glslName));
+    // Scripts may set units as they do in GLSL.
+    for (const Sampler& sampler : mTranslation.samplers) {
+        Parameter unit;
+        unit.name = sampler.name;
+        unit.glslName = sampler.glslName;
+        unit.base = Parameter::Base::Int;
+        addDefinition(unit, constants);
+    }
 }
 
 Ogre::GpuNamedConstants* TranslatedProgram::innerConstants() const {
@@ -297,15 +299,17 @@ Ogre::GpuProgramParametersSharedPtr TranslatedProgram::createParameters() {
     const bool isFirst = !mDefaultParams;
     auto parameters = HighLevelGpuProgram::createParameters();
     if (!mAssemblerProgram || !isSupported()) return parameters;
-    setUnits(*parameters);
     // Later ones are copies of a script's default_params, which begin with them.
-    if (isFirst) setDefaults(*parameters);
+    if (isFirst) {
+        setUnits(*parameters);
+        setDefaults(*parameters);
+    }
     return parameters;
 }
 
 void TranslatedProgram::setUnits(Ogre::GpuProgramParameters& parameters) const {
     for (const Sampler& sampler : mTranslation.samplers) {
-        const auto definition = mConstantDefs->map.find("sampler " + sampler.name);
+        const auto definition = mConstantDefs->map.find(sampler.name);
         if (definition == mConstantDefs->map.end()) continue;
         const int unit = static_cast<int>(sampler.unit);
         parameters._writeRawConstants(definition->second.physicalIndex, &unit, 1);
