@@ -18,30 +18,42 @@ public:
     struct Options {
         bool hasPlugin = true; ///< Plugin_Lixel
         bool separateShaders = false;
+        const char* renderSystem = "RenderSystem_GL3Plus";
+        /// Of Lixel's programs. Others than glsl need LIXEL_CG_PLUGIN, the path of Plugin_LixelCg.
+        std::string language = "glsl";
+        Ogre::uint32 side = 64; ///< of the window, in pixels
     };
 
     FreshOgre() : FreshOgre(Options()) {}
-    explicit FreshOgre(const Options& options) {
+    explicit FreshOgre(const Options& options) : mOptions(options) {
         if (const std::string error = Headless::enable(); !error.empty())
             throw std::runtime_error(error);
-        mRoot.loadPlugin(OGRE_PLUGIN_DIR "/RenderSystem_GL3Plus.so");
+        mRoot.loadPlugin(OGRE_PLUGIN_DIR "/" + std::string(options.renderSystem));
         if (options.hasPlugin) mRoot.loadPlugin(LIXEL_PLUGIN_DIR "/Plugin_Lixel.so");
+#ifdef LIXEL_CG_PLUGIN
+        if (options.language != "glsl") mRoot.loadPlugin(LIXEL_CG_PLUGIN);
+#endif
         Ogre::RenderSystem& system = *mRoot.getAvailableRenderers().front();
         mRoot.setRenderSystem(&system);
-        system.setConfigOption("Separate Shader Objects", options.separateShaders ? "Yes" : "No");
+        if (system.getConfigOptions().count("Separate Shader Objects") != 0)
+            system.setConfigOption("Separate Shader Objects",
+                                   options.separateShaders ? "Yes" : "No");
         mRoot.initialise(false);
         Ogre::NameValuePairList parameters;
         for (const auto& [name, value] : Headless::windowParameters())
             parameters[name] = value;
-        mWindow = mRoot.createRenderWindow("", Side, Side, false, &parameters);
+        mWindow = mRoot.createRenderWindow("", options.side, options.side, false, &parameters);
     }
 
-    /// Reads Lixel's materials; their scripts may be those of another folder.
-    void readScripts(const std::string& scripts = LIXEL_MATERIALS_DIR "/scripts") {
+    /// Reads Lixel's materials; their programs may be those of another folder.
+    void readScripts(const std::string& programs = "") {
         auto& groups = Ogre::ResourceGroupManager::getSingleton();
         groups.addResourceLocation(OGRE_SHADOW_MEDIA, "FileSystem", Ogre::RGN_INTERNAL);
-        groups.addResourceLocation(scripts, "FileSystem");
-        groups.addResourceLocation(LIXEL_MATERIALS_DIR "/programs/glsl", "FileSystem");
+        groups.addResourceLocation(LIXEL_MATERIALS_DIR "/scripts", "FileSystem");
+        const std::string all = LIXEL_MATERIALS_DIR "/programs/";
+        groups.addResourceLocation(programs.empty() ? all + mOptions.language : programs,
+                                   "FileSystem");
+        if (mOptions.language != "glsl") groups.addResourceLocation(all + "cg_hlsl", "FileSystem");
         groups.initialiseAllResourceGroups();
     }
 
@@ -71,19 +83,26 @@ public:
 
     /// The last frame, once it is drawn.
     std::vector<std::uint8_t> picture() const {
-        std::vector<std::uint8_t> rgb(std::size_t{3} * Side * Side);
-        mWindow->copyContentsToMemory(Ogre::Box(0, 0, Side, Side),
-                                      Ogre::PixelBox(Side, Side, 1, Ogre::PF_BYTE_RGB, rgb.data()));
+        const Ogre::uint32 side = mOptions.side;
+        std::vector<std::uint8_t> rgb(std::size_t{3} * side * side);
+        mWindow->copyContentsToMemory(Ogre::Box(0, 0, side, side),
+                                      Ogre::PixelBox(side, side, 1, Ogre::PF_BYTE_RGB, rgb.data()));
         return rgb;
     }
 
-private:
-    static constexpr Ogre::uint32 Side = 64;
+    Ogre::Root& root() {
+        return mRoot;
+    }
+    Ogre::RenderWindow& window() {
+        return *mWindow;
+    }
 
+private:
     struct Log {
         Log() { manager.createLog("", true, false, true); }
         Ogre::LogManager manager;
     } mLog;
+    Options mOptions;
     Ogre::Root mRoot{"", "", ""};
     Ogre::RenderWindow* mWindow = nullptr;
 };

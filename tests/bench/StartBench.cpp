@@ -51,15 +51,15 @@ struct Start {
     std::size_t compiled = 0;
 };
 
-/// Lixel's scripts with programs of one language, while it lives.
-class ScriptsInLanguage {
+/// Lixel's GLSL programs, declared in one of the two ways, while it lives.
+class ProgramsInLanguage {
 public:
-    explicit ScriptsInLanguage(const std::string& language)
+    explicit ProgramsInLanguage(const std::string& language)
         : mFolder(std::filesystem::temp_directory_path() /
                   ("lixel-bench-start-" + std::to_string(getpid()))) {
         std::filesystem::create_directories(mFolder);
         for (const auto& file :
-             std::filesystem::directory_iterator(LIXEL_MATERIALS_DIR "/scripts")) {
+             std::filesystem::directory_iterator(LIXEL_MATERIALS_DIR "/programs/glsl")) {
             std::ostringstream text;
             text << std::ifstream(file.path()).rdbuf();
             std::string script = text.str();
@@ -69,9 +69,9 @@ public:
             std::ofstream(mFolder / file.path().filename()) << script;
         }
     }
-    ~ScriptsInLanguage() { std::filesystem::remove_all(mFolder); }
-    ScriptsInLanguage(const ScriptsInLanguage&) = delete;
-    ScriptsInLanguage& operator=(const ScriptsInLanguage&) = delete;
+    ~ProgramsInLanguage() { std::filesystem::remove_all(mFolder); }
+    ProgramsInLanguage(const ProgramsInLanguage&) = delete;
+    ProgramsInLanguage& operator=(const ProgramsInLanguage&) = delete;
 
     std::string folder() const { return mFolder.string(); }
 
@@ -80,11 +80,11 @@ private:
 };
 
 Start startOnce(const std::string& language) {
-    const ScriptsInLanguage scripts(language);
+    const ProgramsInLanguage programs(language);
     Start start;
     FreshOgre ogre;
     const double read = cpuMilliseconds();
-    ogre.readScripts(scripts.folder());
+    ogre.readScripts(programs.folder());
     start.scripts = cpuMilliseconds() - read;
     ogre.drawCube("Lixel/Sun", "Lixel/Surface/Integrated/Maps3");
     ogre.picture(); // waits until it is drawn
