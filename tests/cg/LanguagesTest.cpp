@@ -26,6 +26,7 @@ TEST_P(Languages, DrawTheSamePicture) {
     EXPECT_LE(share(glsl, pictureIn("hlsl", GL3Plus, way)), GreatestShare);
     EXPECT_LE(share(glsl, pictureIn("cg", GL3PlusSeparate, way)), GreatestShare);
     EXPECT_LE(share(glsl, pictureIn("cg", LegacyGL, way)), GreatestShare);
+    EXPECT_LE(share(glsl, pictureIn("glsl", LegacyGL, way)), GreatestShare);
 }
 
 TEST(LanguagesScene, HasShadows) {
