@@ -9,7 +9,6 @@
 
 #include <OgreImage.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -19,8 +18,6 @@ namespace {
 using Colour = Ogre::ColourValue;
 
 constexpr Ogre::uint32 Side = 320;
-/// A difference of two colours that is no difference.
-constexpr int Rounding = 2;
 
 class LanguageScene {
 public:
@@ -182,7 +179,7 @@ double share(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>
     for (std::size_t pixel = 0; pixel < a.size(); pixel += 3) {
         bool differs = false;
         for (std::size_t i = pixel; i < pixel + 3; ++i)
-            differs = differs || std::abs(a[i] - b[i]) > Rounding;
+            differs = differs || a[i] != b[i];
         differing += differs ? 1 : 0;
     }
     return 3.0 * static_cast<double>(differing) / static_cast<double>(a.size());

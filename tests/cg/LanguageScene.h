@@ -33,7 +33,7 @@ struct Way {
 std::vector<std::uint8_t> pictureIn(const std::string& language, const RenderPath& path,
                                     const Way& way);
 
-/// The share of pixels that differ in any channel by more than rounding.
+/// The share of pixels that differ in any channel.
 double share(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b);
 
 } // namespace Lixel::Tests
