@@ -121,9 +121,9 @@ bool BoxBlock::replace(std::size_t index, const FlatBox& box) {
 unsigned BoxBlock::endsReached(std::size_t index) const {
     const FlatBox at = box(index);
     unsigned ends = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        ends |= (at.centre[axis] - at.half[axis] <= lower[axis] ? 1U : 0U) << (2 * axis);
-        ends |= (at.centre[axis] + at.half[axis] >= upper[axis] ? 2U : 0U) << (2 * axis);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        if (at.centre[axis] - at.half[axis] <= lower[axis]) ends |= 1U << (2 * axis);
+        if (at.centre[axis] + at.half[axis] >= upper[axis]) ends |= 2U << (2 * axis);
     }
     return ends;
 }
