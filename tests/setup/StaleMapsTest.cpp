@@ -456,9 +456,9 @@ protected:
         if (!proves) {
             EXPECT_GT(compared, 10 * walksOfATest());
         }
-        EXPECT_GT(kept, 20 * walksOfATest());
+        EXPECT_GT(kept, 25 * walksOfATest());
         if (GetParam().managerType == "LixelSceneManager") {
-            EXPECT_GT(layered, 2 * walksOfATest());
+            EXPECT_GT(layered, 5 * walksOfATest());
         } else {
             EXPECT_EQ(layered, 0U);
         }
