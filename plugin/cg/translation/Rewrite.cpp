@@ -3,6 +3,7 @@
 #include "cg/translation/Complexity.h"
 #include "cg/translation/DefaultValue.h"
 #include "cg/translation/Edits.h"
+#include "cg/translation/FunctionBody.h"
 #include "cg/translation/Initializers.h"
 #include "cg/translation/Names.h"
 #include "cg/translation/Prelude.h"
@@ -415,68 +416,9 @@ private:
 
     /// The front end does not survive some of what is wrong in a function.
     void checkBody(const FunctionOutline& function) {
-        checkFunctionsWithin(function);
-        for (std::size_t at = function.body.first + 1; at + 1 < function.body.last; ++at)
-            if (mTokens[at].is("++") || mTokens[at].is("--")) rewriteCounting(function, at);
-    }
-
-    /// Nor does it survive ++ or -- after what cannot be counted with; before it, it does.
-    void rewriteCounting(const FunctionOutline& function, std::size_t sign) {
-        const std::size_t begin = beginOfOperand(function, sign);
-        if (begin == sign) return; // it stands before its variable
-        const Token& before = mTokens[begin - 1];
-        const Token& after = mTokens[sign + 1];
-        const std::string text(mTokens[sign].text);
-        const bool isStatement = (before.is(";") || before.is("{") || before.is("}")) &&
-                                 (after.is(";") || after.is(")"));
-        if (isStatement) {
-            mEdits.insertBefore(begin, text + ' ');
-            mEdits.erase({sign, sign + 1});
-        } else {
-            mFromPrelude.insert(text == "++" ? PostIncrement : PostDecrement);
-            mEdits.insertBefore(begin, preludeNameOf(text) + '(');
-            mEdits.replace(sign, ")");
-        }
-    }
-
-    /// The first token of a[i].x, f(x) and the like, which ends before an index; the index itself
-    /// if there is none.
-    std::size_t beginOfOperand(const FunctionOutline& function, std::size_t end) const {
-        static const Words keywords = {"return", "else", "do", "case"};
-        std::size_t begin = end;
-        while (begin > function.body.first + 1) {
-            const Token& last = mTokens[begin - 1];
-            if (last.is("]") || last.is(")")) {
-                std::size_t depth = 0;
-                do {
-                    --begin;
-                    if (mTokens[begin].is("]") || mTokens[begin].is(")")) ++depth;
-                    if (mTokens[begin].is("[") || mTokens[begin].is("(")) --depth;
-                } while (depth > 0 && begin > function.body.first + 1);
-                // What is before it belongs to it, as in a[i] and f(x); or nothing, as in (x).
-                const Token& previous = mTokens[begin - 1];
-                if (!previous.isWord() && !previous.is("]") && !previous.is(")")) break;
-            } else if (last.isWord() && keywords.count(last.text) == 0) {
-                --begin;
-                if (!mTokens[begin - 1].is(".")) break;
-                --begin;
-            } else {
-                break;
-            }
-        }
-        return begin;
-    }
-
-    void checkFunctionsWithin(const FunctionOutline& function) {
-        static const Words statements = {"if", "for", "while", "switch"};
-        for (std::size_t at = function.body.first; at + 2 < function.body.last; ++at) {
-            if (!mTokens[at].isWord() || !mTokens[at + 1].isWord() || !mTokens[at + 2].is("(") ||
-                statements.count(mTokens[at + 1].text) != 0)
-                continue;
-            const std::size_t after = mTokens.afterClosing(at + 2, function.body.last);
-            if (mTokens.isAt(after, "{") || mTokens.isAt(after, ":"))
-                fail(at + 1, "a function within a function: '" + nameAt(at + 1) + '\'');
-        }
+        for (const std::size_t name : functionsWithin(mTokens, function))
+            fail(name, "a function within a function: '" + nameAt(name) + '\'');
+        rewriteCounting(mTokens, function, mEdits, mFromPrelude);
     }
 
     /// Takes away what only parameters of an entry point may have.
