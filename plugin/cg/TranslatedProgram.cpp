@@ -1,6 +1,7 @@
 #include "cg/TranslatedProgram.h"
 
 #include "cg/RenderSystemGlsl.h"
+
 #include <OgreException.h>
 #include <OgreGpuProgramManager.h>
 #include <OgreHighLevelGpuProgramManager.h>
@@ -116,7 +117,7 @@ void TranslatedProgram::addScriptWords() {
     };
     add("entry_point", "The function to start at.", theEntryCommand);
     if (mLanguage == Language::Cg) {
-        add("profiles", "Cg's profiles, or Direct3D's, of which the first that is known counts.",
+        add("profiles", "Profiles of Cg or Direct3D; the first known one is used.",
             theProfilesCommand);
         add("compile_arguments", "The command line of Cg's compiler.", theArgumentsCommand);
     } else {

@@ -134,7 +134,7 @@ TEST_F(Cache, DoesNotKeepErrors) {
     EXPECT_TRUE(cache.translate(request()).succeeded());
 }
 
-/// A file that was cut, or of which a byte has changed, is taken for none, and replaced.
+/// A truncated or corrupted file is ignored and replaced.
 TEST_F(Cache, BrokenAndForeignFiles) {
     TranslationCache writer;
     writer.setFolder(mFolder);

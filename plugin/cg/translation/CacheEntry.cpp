@@ -64,7 +64,7 @@ public:
         mBytes.remove_prefix(size);
         return value;
     }
-    /// The number of things that follow, each of which takes at least a number.
+    /// A count of elements that follow; each takes the size of a number or more.
     std::uint64_t count() {
         const std::uint64_t value = number();
         return value > mBytes.size() / sizeof value ? fail() : value;
