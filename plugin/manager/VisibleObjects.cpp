@@ -16,8 +16,9 @@
 namespace Lixel {
 namespace {
 
-/// How many nodes ahead memory is asked for, which comes from all over the heap: an entity, then the
-/// list of its parts, then the parts.
+/// How many nodes ahead memory is asked for: what the store keeps of a node, then what lies all over
+/// the heap, an entity, the list of its parts, and the parts.
+constexpr std::size_t PlacesAhead = 28;
 constexpr std::size_t EntitiesAhead = 12;
 constexpr std::size_t ListsAhead = 8;
 constexpr std::size_t PartsAhead = 4;
@@ -129,6 +130,8 @@ void VisibleObjects::find(const NodeStore& store, const Ogre::Camera& camera) {
 
 void VisibleObjects::fetchAhead(std::size_t position) const {
     const std::vector<NodeStore::Slot>& found = mSearch.found;
+    if (position + PlacesAhead < found.size())
+        mStore->prefetchPlace(found[position + PlacesAhead]);
     if (position + EntitiesAhead < found.size()) mStore->prefetch(found[position + EntitiesAhead]);
     const auto plain = [&](std::size_t ahead) -> const Ogre::Entity* {
         if (position + ahead >= found.size()) return nullptr;

@@ -41,7 +41,6 @@ void CasterSearch::collect(const Survey& survey, const NodeCuller& volume) {
     const SceneRules& rules = survey.rules();
     NodeStore* const store = findStore(rules.sceneManager());
     if (store != nullptr) store->beginReading(rules.fingerprint());
-    const bool learns = store != nullptr && store->areChangesAnnounced();
     std::size_t guess = 0;
     for (const auto& [object, touches, slot, known] : mWalk.collect(rules.sceneManager(), volume)) {
         if ((known & NodeStore::CastsKnown) != 0) {
@@ -51,8 +50,7 @@ void CasterSearch::collect(const Survey& survey, const NodeCuller& volume) {
         }
         if (!touches && volume.excludes(object->getWorldBoundingBox(), guess)) continue;
         const bool casts = rules.draws(*object) && rules.casts(*object);
-        if (learns && slot != NodeStore::NoSlot &&
-            object->getWorldBoundingBox() == store->box(slot) && SceneRules::areLasting(*object))
+        if (rules.canBeKnown(*object, store, slot))
             store->know(slot, NodeStore::CastsKnown | (casts ? unsigned{NodeStore::Casts} : 0U));
         if (casts) addCaster(*object, object->getWorldBoundingBox(), survey.wsOrigin());
     }

@@ -124,15 +124,18 @@ public:
         mReadingRules = rules;
         ++mReading;
     }
-    /// What is still known of a node's only object, in the scene graph: nothing, unless changes are
-    /// announced.
+    /// Somebody had a turn who may have changed objects: nothing is known of them any more, unless
+    /// changes are announced.
+    void endReading() {
+        if (!mAreChangesAnnounced) ++mReading;
+    }
+    /// What is still known of a node's only object, in the scene graph.
     unsigned known(Slot slot) const {
         const Place& place = mPlaces[slot];
         return place.reading == mReading ? place.known : unsigned{NothingKnown};
     }
-    /// Adds to what is known, if changes are announced.
+    /// Adds to what is known.
     void know(Slot slot, unsigned bits) {
-        if (!mAreChangesAnnounced) return;
         Place& place = mPlaces[slot];
         place.known = static_cast<std::uint8_t>(known(slot) | bits);
         place.reading = mReading;
@@ -160,8 +163,11 @@ public:
     /// As set.
     const Ogre::AxisAlignedBox& box(Slot slot) const { return mPlaces[slot].box; }
     const Ogre::Sphere& sphere(Slot slot) const { return mPlaces[slot].sphere; }
-    /// Asks for the memory of a node and of its only object, which will be read soon.
+    /// Asks for the memory of a node and of its only object, which will be read soon. The slot's own
+    /// is best asked for before.
     void prefetch(Slot slot) const;
+    /// Asks for what is kept of a slot.
+    void prefetchPlace(Slot slot) const { prefetchObject(&mPlaces[slot], sizeof(Place)); }
     /// Slots in use or free: all are less than this.
     std::size_t slotCount() const { return mPlaces.size(); }
     /// Nodes that are somewhere.

@@ -11,7 +11,9 @@
 namespace Lixel {
 namespace {
 
-/// How many nodes ahead memory is asked for, which comes from all over the heap.
+/// How many nodes ahead memory is asked for: what the store keeps of a node, then the node and its
+/// object, which lie all over the heap.
+constexpr std::size_t PlacesAhead = 32;
 constexpr std::size_t NodesAhead = 16;
 
 class GraphWalk {
@@ -47,6 +49,7 @@ void NodeWalk::collectFromStore(const NodeStore& store, const NodeCuller& volume
     mSearch.decide([&](NodeStore::Slot slot) { return volume.excludes(store.box(slot), guess); });
     const std::vector<NodeStore::Slot>& found = mSearch.found;
     for (std::size_t i = 0; i < found.size(); ++i) {
+        if (i + PlacesAhead < found.size()) store.prefetchPlace(found[i + PlacesAhead]);
         if (i + NodesAhead < found.size() && store.known(found[i + NodesAhead]) == 0)
             store.prefetch(found[i + NodesAhead]);
         if (const unsigned known = store.known(found[i]); known != 0) {

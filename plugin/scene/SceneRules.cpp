@@ -77,8 +77,12 @@ SceneRules::SceneRules(const Ogre::Camera& viewer, const Ogre::Viewport& viewpor
     }
 }
 
-bool SceneRules::areLasting(const Ogre::MovableObject& object) {
-    return PlainEntity(&object, 0).entity() != nullptr;
+bool SceneRules::canBeKnown(const Ogre::MovableObject& object, const NodeStore* store,
+                            NodeStore::Slot slot) const {
+    if (store == nullptr || slot == NodeStore::NoSlot ||
+        object.getWorldBoundingBox() != store->box(slot))
+        return false;
+    return !store->areChangesAnnounced() || PlainEntity(&object, 0).entity() != nullptr;
 }
 
 bool SceneRules::draws(const Ogre::MovableObject& object) const {

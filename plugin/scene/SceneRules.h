@@ -2,6 +2,7 @@
 
 #include "scene/BareParts.h"
 #include "scene/Fingerprint.h"
+#include "scene/NodeStore.h"
 
 namespace Ogre {
 class Camera;
@@ -27,8 +28,11 @@ public:
 
     /// All that answers depend on beside the objects, where these say the same for every camera.
     const Fingerprint& fingerprint() const { return mFingerprint; }
-    /// Whether answers about an object are the same for every camera, as long as it stays the same.
-    static bool areLasting(const Ogre::MovableObject& object);
+    /// Whether a store may keep the answers about an object for whoever asks by the same rules: for
+    /// another camera, where it keeps them for long.
+    /// @param slot of the node that has no other object; NoSlot for others
+    bool canBeKnown(const Ogre::MovableObject& object, const NodeStore* store,
+                    NodeStore::Slot slot) const;
 
     /// Whether it is drawn where it is in view: visible by its own flag and by the masks of scene
     /// manager and viewport, and more than a place for others.

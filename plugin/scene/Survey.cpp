@@ -44,7 +44,8 @@ void fetchAhead(std::span<const NodeWalk::Object> rest) {
 
 /// Whether the box may say too little of what the viewer, at the origin, sees of the body in it.
 bool needsSurface(const Aabb& box) {
-    return box.centre.norm() < NearRadii * box.halfExtents.norm() &&
+    return box.centre.squaredNorm() <
+               NearRadii * NearRadii * box.halfExtents.squaredNorm() &&
            box.halfExtents.minCoeff() > Flatness * box.halfExtents.maxCoeff();
 }
 
@@ -79,7 +80,10 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport, do
 
     mBareParts.begin();
     mStore = findStore(mRules.sceneManager());
-    if (mStore != nullptr) mStore->beginReading(mRules.fingerprint());
+    if (mStore != nullptr) {
+        mStore->endReading();
+        mStore->beginReading(mRules.fingerprint());
+    }
     const std::span<const NodeWalk::Object> found =
         mWalk.collect(mRules.sceneManager(), NodeCuller(mView, mWsOrigin));
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -92,13 +96,15 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport, do
     }
 }
 
+void Survey::forgetObjects() const {
+    if (NodeStore* const store = findStore(mRules.sceneManager())) store->endReading();
+}
+
 void Survey::visit(const NodeWalk::Object& found) {
     Ogre::MovableObject& object = *found.object;
-    const bool isLasting = found.slot != NodeStore::NoSlot && mStore->areChangesAnnounced() &&
-                           object.getWorldBoundingBox() == mStore->box(found.slot) &&
-                           SceneRules::areLasting(object);
     const auto know = [&](unsigned bits) {
-        if (isLasting) mStore->know(found.slot, NodeStore::ReceivesKnown | bits);
+        if (mRules.canBeKnown(object, mStore, found.slot))
+            mStore->know(found.slot, NodeStore::ReceivesKnown | NodeStore::CastsKnown | bits);
     };
     if (!mRules.draws(object)) return know(0);
     ++mObjectCount;
@@ -115,7 +121,8 @@ void Survey::visit(const NodeWalk::Object& found) {
     // Asking the materials takes longest, so it comes last.
     if (!found.touches && mView.classify(box) == ConvexVolume::Side::Outside) return;
     const bool receives = mRules.receives(object, mBareParts);
-    know(NodeStore::Draws | (receives ? unsigned{NodeStore::Receives} : 0U));
+    know(NodeStore::Draws | (receives ? unsigned{NodeStore::Receives} : 0U) |
+         (mRules.casts(object) ? unsigned{NodeStore::Casts} : 0U));
     if (receives) addReceiver(object, box);
 }
 

@@ -37,7 +37,9 @@ namespace Lixel {
     batches moved by nodes) are last frame's.
 
     Nothing is kept from one survey to the next but memory, the shapes of meshes (MeshShapes.h), and
-    which objects without materials the log was told of (BareParts.h).
+    which objects without materials the log was told of (BareParts.h); and where an application
+    announces changes of objects (LixelSceneManager), what objects are. What a survey read of them
+    holds for searches of casters too, until `forgetObjects`.
 */
 class LIXEL_API Survey {
 public:
@@ -51,6 +53,10 @@ public:
     /// @param margin share by which the view is widened: for maps that are to last
     void take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
               double shadowDistance = 0.0, double margin = 0.0);
+
+    /// Has searches with this survey read objects again: call whenever somebody else has had a turn
+    /// who may have changed them.
+    void forgetObjects() const;
 
     /// The viewer: matrices relative to wsOrigin. Shadow distance is left 0: it is the light's.
     const ShadowViewer& viewer() const { return mViewer; }

@@ -21,6 +21,8 @@ public:
         if (mCamera == &viewer && mViewport == &viewport && mFrame == frame &&
             reaches(distance, margin)) {
             mTimed.microseconds = 0.0;
+            // A map was drawn meanwhile, to listeners of the application's.
+            mTimed.survey.forgetObjects();
             return mTimed;
         }
         const auto begin = std::chrono::steady_clock::now();

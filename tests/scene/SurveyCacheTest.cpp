@@ -69,6 +69,22 @@ TEST_P(SurveyCacheTest, SeesAnObjectInTheFrameInWhichItArrives) {
     EXPECT_EQ(mSeen[2].casters.size(), 0U);
 }
 
+TEST_P(SurveyCacheTest, SeesWhatWasChangedBetweenTwoLights) {
+    Ogre::Entity* const cube = addCube(Vector3(0, 0, -10));
+    addCube(Vector3(2, 0, -10));
+    // As a listener may, when the first light's map has been drawn.
+    auto changing = std::make_shared<ProbeSetup>(
+        [this, cube](const Ogre::Camera& viewer, const Ogre::Viewport& viewport) {
+            const TimedSurvey& timed = surveyFor(viewer, viewport, mDistance);
+            EXPECT_EQ(mSearch.findAll(timed.survey).size(), cube->getCastShadows() ? 2U : 1U);
+            cube->setCastShadows(!cube->getCastShadows());
+        });
+    for (int light = 0; light < 3; ++light)
+        addSun(changing);
+    for (int frame = 0; frame < 2; ++frame)
+        mRoot.renderOneFrame();
+}
+
 TEST_P(SurveyCacheTest, TwoLightsShareOneSurvey) {
     addSun(mProbe);
     addSun(mProbe, Vector3(1, -1, 0));

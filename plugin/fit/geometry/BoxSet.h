@@ -40,14 +40,16 @@ public:
         mInvalid = 0;
     }
     void add(const Aabb& box) {
-        if (box.centre.hasNaN() || box.halfExtents.hasNaN() || box.halfExtents.minCoeff() < 0.0)
-            ++mInvalid;
-        else if (!(box.centre.cwiseAbs() + box.halfExtents).allFinite() ||
-                 (box.centre.cwiseAbs() + box.halfExtents).maxCoeff() > GreatestExtent)
-            ++mUnbounded;
-        else {
-            mExtent = std::max(mExtent, (box.centre.cwiseAbs() + box.halfExtents).maxCoeff());
+        const Vec3 reach = box.centre.cwiseAbs() + box.halfExtents;
+        // No comparison with a NaN holds.
+        if ((reach.array() <= GreatestExtent).all() && (box.halfExtents.array() >= 0.0).all()) {
+            mExtent = std::max(mExtent, reach.maxCoeff());
             store(box);
+        } else if (box.centre.hasNaN() || box.halfExtents.hasNaN() ||
+                   box.halfExtents.minCoeff() < 0.0) {
+            ++mInvalid;
+        } else {
+            ++mUnbounded;
         }
     }
     /// Adds boxes of a set, which have been judged there: those of a block in these lanes, as bits.
