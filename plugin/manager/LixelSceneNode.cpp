@@ -6,18 +6,19 @@
 #include <OgreSceneManager.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <utility>
 
 namespace Lixel {
 namespace {
 
 bool isFinite(const Ogre::Affine3& transform) {
-    Ogre::Real sum = 0;
+    // Each is 0, or NaN for what is not finite. Four sums, which do not wait for each other.
+    std::array<Ogre::Real, 4> sums{};
     for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column)
-            sum += 0 * transform[row][column]; // 0, or NaN for what is not finite
-    return sum == 0;
+        for (std::size_t column = 0; column < 4; ++column)
+            sums[column] += 0 * transform[row][column];
+    return sums[0] + sums[1] + sums[2] + sums[3] == 0;
 }
 
 /// Whether a map may show an object. Viewers, lights and shadow cameras move in each frame, and who
@@ -104,6 +105,7 @@ void LixelSceneNode::_updateBounds() {
     }
     mReported = !placed;
     const Ogre::MovableObject* const only = mStore->onlyObject(mSlot);
+    // Derived at once, not when it is asked for: sphere queries find what no camera has seen.
     mStore->set(mSlot, mWorldAABB,
                 placed && only != nullptr ? only->getWorldBoundingSphere(true) : Ogre::Sphere());
 }

@@ -61,6 +61,10 @@ struct NodeSearch {
     level: a box that moves out of its block's part of the order goes into the block where it
     belongs, a full block is split, and an empty one is joined with its neighbour.
 
+    Bullet's dynamic tree (btDbvt) was measured beside it, with the same boxes, views of a quarter of
+    them and moves of up to .2 m: at 10 000 boxes it takes 2.1 times as long to find, and 3 times to
+    move; at 100 000, 5 and 7 to 10 times.
+
     Nodes are found in the order in which they were added, wherever they move, so that what is drawn
     at equal depth does not flicker. A removed node's place is taken by one that is added later.
 */
