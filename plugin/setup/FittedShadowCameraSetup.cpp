@@ -105,7 +105,8 @@ LightPartition FittedShadowCameraSetup::divide(const ShadowProblem& problem, std
     constexpr std::size_t CubeFaces = 6;
     if (maps < CubeFaces) {
         const LightPartition aimed = aimedSpot(problem, memory.aim);
-        if (aimed.count > 0 || maps == 1) return aimed;
+        if (aimed.count > 0) return aimed;
+        if (maps == 1) return widestPart(problem, memory.aim);
     }
     return cubeAround(problem.light);
 }
@@ -130,6 +131,7 @@ ShadowFit FittedShadowCameraSetup::fitNext(const ShadowProblem& problem, const O
         // With maps for all parts each has its own; else those without shadows go without.
         if (result.hasMap() || memory.parts.count - memory.nextPart < mapsLeft) break;
     }
+    if (!memory.parts.servesAll && result.hasMap()) result.reason = FitReason::PartOfLight;
     if (mapsLeft > 1) return result;
 
     for (; memory.nextPart < memory.parts.count && !news.toldOfParts; ++memory.nextPart) {

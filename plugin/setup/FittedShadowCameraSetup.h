@@ -96,8 +96,8 @@ struct CommonOptions {
     one map a light, and the log says so where there are more. A point light, and a spot wider than
     179°, takes six, one for each face of a cube around it; with fewer it gets the narrowest spot
     around what it can shadow, or where that would be wider than 160°, those faces that have
-    something to show. Where these do not suffice, and where there is one map, it has no shadow, and
-    the log says so.
+    something to show. Where these do not suffice it has no shadow. A single map serves a cone of
+    160° around what is seen, and what lies outside is lit. The log says both.
 
     Maps of one light are asked for in order, from the first one on, as OGRE does.
 

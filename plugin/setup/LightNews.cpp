@@ -16,7 +16,8 @@ unsigned long thisFrame() {
 } // namespace
 
 bool isTrouble(FitReason reason) {
-    return reason >= FitReason::Unbounded || reason == FitReason::ViewWithoutEnd;
+    return reason >= FitReason::Unbounded || reason == FitReason::ViewWithoutEnd ||
+           reason == FitReason::PartOfLight;
 }
 
 bool LightNews::isNew(Trouble trouble) {
@@ -40,11 +41,16 @@ void LightNews::tell(const Ogre::Light& light, FitReason reason, const ShadowPro
         return logWarning("the shadow map of light '" + light.getName() +
                           "' is not stable: " + toString(reason) +
                           "; set Light::setShadowFarDistance, or the viewer's far distance");
+    constexpr const char* SixMaps =
+        "; six maps are enough for any light (SceneManager::setShadowTextureCountPerLightType, an "
+        "integrated shadow technique, and a material that reads as many)";
+    if (reason == FitReason::PartOfLight)
+        return logWarning("light '" + light.getName() +
+                          "' shines too wide for its one map: it casts shadows within a cone of "
+                          "160 degrees around what is seen, and all else is lit" +
+                          SixMaps);
     std::string message = "no shadow map for light '" + light.getName() + "': " + toString(reason);
-    if (reason == FitReason::TooFewMaps)
-        message +=
-            "; six are enough for any light (SceneManager::setShadowTextureCountPerLightType, "
-            "an integrated shadow technique, and a material that reads as many)";
+    if (reason == FitReason::TooFewMaps) message += SixMaps;
     if (reason == FitReason::InvalidInput)
         if (const std::string which = describeInvalidInput(problem); !which.empty())
             message += ": " + which;

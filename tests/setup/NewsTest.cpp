@@ -7,7 +7,7 @@
 namespace Lixel::Tests {
 namespace {
 
-const char* const NoMap = "no shadow map for light 'Light'";
+const char* const OneMap = "light 'Light' shines too wide for its one map";
 
 /// A light that would need six maps, and has one.
 void makePoint(Ogre::Light& light) {
@@ -52,7 +52,7 @@ TEST(News, AFlickeringLightIsToldOfOnce) {
             scene.stage.light().setType(Ogre::Light::LT_DIRECTIONAL);
         scene.stage.drawFrame();
     }
-    EXPECT_EQ(log.count(NoMap), 1U);
+    EXPECT_EQ(log.count(OneMap), 1U);
 }
 
 TEST(News, ALightIsToldOfOnceForAllCameras) {
@@ -69,7 +69,7 @@ TEST(News, ALightIsToldOfOnceForAllCameras) {
     }
     scene.stage.drawFrame();
     scene.stage.drawFrame();
-    EXPECT_EQ(log.count(NoMap), 1U);
+    EXPECT_EQ(log.count(OneMap), 1U);
 }
 
 } // namespace

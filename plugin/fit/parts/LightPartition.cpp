@@ -150,6 +150,14 @@ LightPartition aimedSpot(const ShadowProblem& problem, AimScratch& scratch) {
     return aimSpot(problem, scratch, spot) ? wholeLight(spot) : LightPartition();
 }
 
+LightPartition widestPart(const ShadowProblem& problem, AimScratch& scratch) {
+    LightPartition parts = aimedSpot(problem, scratch);
+    if (parts.count > 0) return parts;
+    parts = wholeLight(widestSpot(problem, scratch));
+    parts.servesAll = false;
+    return parts;
+}
+
 LightPartition cubeAround(const ShadowLight& light) {
     LightPartition parts;
     ShadowLight face = light;

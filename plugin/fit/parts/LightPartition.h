@@ -21,6 +21,8 @@ struct LightPartition {
     static constexpr std::size_t Capacity = ShadowPart::Most;
     std::array<ShadowPart, Capacity> parts{};
     std::size_t count = 0;
+    /// Whether each light ray is in one of the parts.
+    bool servesAll = true;
 
     std::span<const ShadowPart> span() const { return {parts.data(), count}; }
     /// The part that serves a world point.
@@ -56,6 +58,10 @@ LIXEL_API LightPartition stripLight(const ShadowLight& light, const LightImage& 
     do.
     @return none where it would have to be too wide. @see SpotAim.h */
 LIXEL_API LightPartition aimedSpot(const ShadowProblem& problem, AimScratch& scratch);
+
+/// The same in a single part whatever it takes: where no spot will do, the widest one around what
+/// the viewer sees, which serves no light rays outside of its cone.
+LIXEL_API LightPartition widestPart(const ShadowProblem& problem, AimScratch& scratch);
 
 /** Faces of a cube around a local light, with world axes: six spots, none of them depending on the
     viewer. A spot's own cone is not regarded: it is for those that are too wide for one map. */

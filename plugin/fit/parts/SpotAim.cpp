@@ -41,6 +41,30 @@ bool directionsTo(const BoxSet& boxes, const ConvexVolume& volume, const Vec3& w
     return !scratch.directions.empty();
 }
 
+/// The light as a spot.
+ShadowLight asSpot(const ShadowLight& light, const Vec3& axis, double halfAngle) {
+    ShadowLight spot = light;
+    spot.kind = LightKind::Spot;
+    spot.wsDirection = axis;
+    spot.outerHalfAngle = std::max(halfAngle, NarrowestAim);
+    // The near distance is a sphere's radius; this plane does not reach into it.
+    spot.nearDistance = light.nearDistance * std::cos(spot.outerHalfAngle);
+    return spot;
+}
+
+/// Sums up in which directions light reaches points, weighed by the cosines at which it does.
+struct LitMean {
+    const ShadowLight& light;
+    Vec3 sum = Vec3::Zero();
+
+    void add(const VisiblePoint& point) {
+        const Vec3 away = point.ws - light.wsPosition;
+        const double distance = away.norm();
+        if (!(distance > light.nearDistance && distance <= light.range)) return;
+        sum += std::max(-point.wsNormal.dot(away) / distance, 0.0) * away / distance;
+    }
+};
+
 } // namespace
 
 bool spotAround(const ShadowLight& light, double widest, std::vector<Vec3>& directions,
@@ -54,12 +78,7 @@ bool spotAround(const ShadowLight& light, double widest, std::vector<Vec3>& dire
         leastCosine = std::min(leastCosine, direction.dot(axis));
     const double halfAngle = std::acos(std::clamp(leastCosine, -1.0, 1.0)) + RimSlack;
     if (directions.empty() || !(halfAngle <= widest)) return false;
-    spot = light;
-    spot.kind = LightKind::Spot;
-    spot.wsDirection = axis;
-    spot.outerHalfAngle = std::max(halfAngle, NarrowestAim);
-    // The near distance is a sphere's radius; this plane does not reach into it.
-    spot.nearDistance = light.nearDistance * std::cos(spot.outerHalfAngle);
+    spot = asSpot(light, axis, halfAngle);
     return true;
 }
 
@@ -84,6 +103,23 @@ bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spo
     tryAround(*problem.receivers, seen);
     tryAround(*problem.casters, reached);
     return found;
+}
+
+ShadowLight widestSpot(const ShadowProblem& problem, AimScratch& scratch) {
+    const ShadowViewer& viewer = problem.viewer;
+    LitMean mean{problem.light};
+    for (const VisiblePoint& point : problem.visiblePoints)
+        mean.add(point);
+    if (problem.visiblePoints.empty()) {
+        scratch.rays.cast(withDepthAhead(viewer.clipFromView) * viewer.viewFromWorld, 0);
+        scratch.rays.meet(*problem.receivers, {});
+        for (std::size_t i = 0; i < ViewRays::Count; ++i)
+            if (scratch.rays.hit(i)) mean.add(scratch.rays.point(i));
+    }
+    // Where it reaches nothing that is seen, as the viewer looks.
+    const Vec3 ahead = -viewer.viewFromWorld.row(2).head<3>();
+    const bool found = mean.sum.allFinite() && mean.sum.norm() > 0.0;
+    return asSpot(problem.light, (found ? mean.sum : ahead).stableNormalized(), WidestAim);
 }
 
 } // namespace Lixel

@@ -2,6 +2,7 @@
 
 #include "fit/geometry/ConvexVolume.h"
 #include "fit/problem/ShadowProblem.h"
+#include "fit/sampling/ViewRays.h"
 
 namespace Lixel {
 
@@ -10,6 +11,7 @@ struct AimScratch {
     ClipScratch clip;
     std::vector<Vec3> wsPoints;
     std::vector<Vec3> directions;
+    ViewRays rays;
 };
 
 /** Widest half angle, in radians, to which a spot is aimed: 80°. Its map is tan(80°) = 5.7 times as
@@ -27,6 +29,10 @@ inline constexpr double WidestAim = 1.3962634015954636;
     bounds gives no cone. Where there is nothing to shadow, any cone will do.
 */
 bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spot);
+
+/** The same where no spot will do: one of WidestAim, along the mean direction in which light reaches
+    what the viewer sees. What lies outside of its cone is not served. */
+ShadowLight widestSpot(const ShadowProblem& problem, AimScratch& scratch);
 
 /// The spot around directions from the light; false where they need more than the widest half
 /// angle, or there are none. @param directions of any length but zero; they are changed

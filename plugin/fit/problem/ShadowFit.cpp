@@ -18,6 +18,8 @@ const char* toString(FitReason reason) noexcept {
         return "the plane is edge-on or cannot serve all";
     case FitReason::ViewWithoutEnd:
         return "a stable map needs a view that ends";
+    case FitReason::PartOfLight:
+        return "the light shines wider than its map serves";
     case FitReason::NoReceivers:
         return "no receiver in view";
     case FitReason::NothingShadowed:

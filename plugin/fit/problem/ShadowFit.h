@@ -26,6 +26,9 @@ enum class FitReason {
     /// A stable map was asked for a view that has neither a far plane nor a shadow distance: the
     /// map is focused.
     ViewWithoutEnd,
+    /// A point light or a wide spot, which takes more maps than it has: this one serves the light
+    /// rays within a cone (WidestAim) around what is seen, and what lies outside is lit.
+    PartOfLight,
     // From here on there is no map to draw.
     /// No receiver is in view.
     NoReceivers,
@@ -36,7 +39,7 @@ enum class FitReason {
     /// A NaN, an infinity, a zero direction or a singular matrix in the input, or a map too small
     /// for its filter.
     InvalidInput,
-    /// A point light or a wide spot, which takes more maps than it has.
+    /// A point light or a wide spot, which takes more maps than this one.
     TooFewMaps,
 };
 

@@ -303,6 +303,53 @@ TEST(LightPartition, AimingAmongThousandsOfCastersGivesUpAtOnce) {
     EXPECT_EQ(aimedSpot(scene.problem(), scratch).count, 0U);
 }
 
+TEST(LightPartition, WhereNoSpotWillDoTheWidestIsAimedAtWhatIsSeen) {
+    // A lamp in a room whose walls cast.
+    Scene scene;
+    scene.viewer.viewFromWorld = lookAlong(Vec3(0.0, 0.0, 4.0), -Vec3::UnitZ());
+    scene.viewer.clipFromView = perspective(90.0 * Degree, 1.5, 0.1, 50.0);
+    scene.addBody({Vec3::Zero(), Vec3(6.0, 3.0, 6.0)});
+    scene.light.kind = LightKind::Point;
+    AimScratch scratch;
+    ASSERT_EQ(aimedSpot(scene.problem(), scratch).count, 0U);
+    const LightPartition parts = widestPart(scene.problem(), scratch);
+    ASSERT_EQ(parts.count, 1U);
+    EXPECT_FALSE(parts.servesAll);
+    const ShadowLight& spot = parts.parts[0].light;
+    EXPECT_EQ(spot.outerHalfAngle, WidestAim);
+    EXPECT_GT(spot.wsDirection.dot(-Vec3::UnitZ()), 0.99);
+
+    // What is given as seen decides instead of the rays.
+    const std::array seen{VisiblePoint{Vec3(6.0, 0.0, 0.0), -Vec3::UnitX()},
+                          VisiblePoint{Vec3(0.0, -3.0, 0.0), Vec3::UnitY()},
+                          // lit from behind, and out of range
+                          VisiblePoint{Vec3(0.0, 0.0, 6.0), Vec3::UnitZ()},
+                          VisiblePoint{Vec3(0.0, 0.0, 60.0), -Vec3::UnitZ()}};
+    scene.light.range = 50.0;
+    ShadowProblem problem = scene.problem();
+    problem.visiblePoints = seen;
+    const Vec3 axis = widestPart(problem, scratch).parts[0].light.wsDirection;
+    EXPECT_LT((axis - Vec3(1.0, -1.0, 0.0).normalized()).norm(), 1e-12);
+
+    // Nothing that has bounds is seen: as the viewer looks.
+    scene.receivers.clear();
+    scene.receivers.addUnbounded();
+    EXPECT_EQ(widestPart(scene.problem(), scratch).parts[0].light.wsDirection, -Vec3::UnitZ());
+}
+
+TEST(LightPartition, AWidestPartThatServesAllIsTheAimedSpot) {
+    Scene scene;
+    scene.viewer.clipFromView = perspective(60.0 * Degree, 1.5, 0.1, 100.0);
+    scene.addBody({Vec3(0.0, 0.0, -20.0), Vec3(4.0, 0.5, 4.0)});
+    scene.light.kind = LightKind::Point;
+    scene.light.wsPosition = Vec3(0.0, 6.0, -20.0);
+    AimScratch scratch;
+    const LightPartition parts = widestPart(scene.problem(), scratch);
+    EXPECT_TRUE(parts.servesAll);
+    EXPECT_EQ(parts.parts[0].light.outerHalfAngle,
+              aimedSpot(scene.problem(), scratch).parts[0].light.outerHalfAngle);
+}
+
 TEST(LightPartition, ALampOverATableIsAimedAtItThoughTheRoomIsAllAround) {
     // The viewer stands in a room that only receives; the table below the lamp is all that casts.
     Scene scene;
