@@ -32,22 +32,32 @@ SomeCases casesOf(const std::vector<TableCase>& cases, const std::string& scene)
     return casesWhere(cases, [&](const TableCase& one) { return one.scene == scene; });
 }
 
+/// Of the table's first column, in characters.
+std::size_t nameWidth(const std::vector<NamedSetup>& setups) {
+    std::size_t width = 20;
+    for (const NamedSetup& setup : setups)
+        width = std::max(width, setup.name.size());
+    return width;
+}
+
 /// The second half of the table.
 void printRatios(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
                  std::size_t baseline) {
+    const std::size_t width = nameWidth(setups);
     const SomeCases telling = tellingCases(cases, baseline);
     const std::array<CaseGroup, 4> groups = groupsOf(telling);
 
     fmt::print(
         "\nRatio to {}: paired geometric mean with its 95 % interval. {} cases of {} are left "
-        "out, in which it errs less than {} %\n\n{:<20}",
-        setups[baseline].name, cases.size() - telling.size(), cases.size(), LeastBaseline, "setup");
+        "out, in which it errs less than {} %\n\n{:<{}}",
+        setups[baseline].name, cases.size() - telling.size(), cases.size(), LeastBaseline, "setup",
+        width);
     for (const auto& [name, some] : groups)
         fmt::print(" {:>24}", name == "all" ? fmt::format("all {}", some.size())
                                             : fmt::format("{} {}", some.size(), name));
     fmt::print("\n");
     for (std::size_t i = 0; i < setups.size(); ++i) {
-        fmt::print("{:<20}", setups[i].name);
+        fmt::print("{:<{}}", setups[i].name, width);
         for (const CaseGroup& group : groups)
             fmt::print(" {:>24}", describe(ratioOf(group.cases, i, baseline)));
         fmt::print("\n");
@@ -155,6 +165,7 @@ std::string describePercent(const GeometricMean& mean) {
 
 void printTable(const std::vector<NamedSetup>& setups, const std::vector<TableCase>& cases,
                 std::size_t baseline) {
+    const std::size_t width = nameWidth(setups);
     std::vector<std::string> scenes;
     for (const TableCase& one : cases)
         if (scenes.empty() || scenes.back() != one.scene) scenes.push_back(one.scene);
@@ -163,14 +174,15 @@ void printTable(const std::vector<NamedSetup>& setups, const std::vector<TableCa
     // OGRE's own setups changed between its versions.
     fmt::print("Error in %, mean over the lights and views of a scene, {} cases in all, OGRE "
                "{}.{}.{}\n\n"
-               "{:<20}",
-               cases.size(), OGRE_VERSION_MAJOR, OGRE_VERSION_MINOR, OGRE_VERSION_PATCH, "setup");
+               "{:<{}}",
+               cases.size(), OGRE_VERSION_MAJOR, OGRE_VERSION_MINOR, OGRE_VERSION_PATCH, "setup",
+               width);
     for (const std::string& scene : scenes)
         fmt::print(" {:>11}", scene);
     fmt::print(" {:>8} {:>8} {:>8}\n", "all", "acne", "leaks");
     for (std::size_t i = 0; i < setups.size(); ++i) {
         const auto error = [i](const TableCase& one) { return one.errors[i].error; };
-        fmt::print("{:<20}", setups[i].name);
+        fmt::print("{:<{}}", setups[i].name, width);
         for (const std::string& scene : scenes)
             fmt::print(" {:>11.3f}", meanOf(casesOf(cases, scene), error));
         fmt::print(" {:>8.3f} {:>8.3f} {:>8.3f}\n", meanOf(all, error),

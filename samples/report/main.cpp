@@ -11,6 +11,7 @@
 #include "report/Casters.h"
 #endif
 #include "report/Motion.h"
+#include "report/Rows.h"
 #include "report/Table.h"
 
 #include <CLI/CLI.hpp>
@@ -42,6 +43,7 @@ struct Options {
     bool motion = false;
     int frames = MotionOptions().frames;
     std::vector<std::string> kinds;
+    std::vector<std::string> rows;   ///< of the table; empty for all setups
     std::optional<PictureSize> size; ///< by emulation
     std::string jsonFile;
     std::string motionScene;
@@ -75,6 +77,22 @@ int filmMotion(const Options& options) {
         fmt::print(stderr, "lixel-report: {}\n", error.what());
         return 1;
     }
+    return 0;
+}
+
+/// Runs --table with rows of one's own. @return the program's exit status
+int makeTableOfRows(TableOptions table, const Options& options) {
+    table.setups.clear();
+    try {
+        for (const std::string& row : options.rows)
+            table.setups.push_back(rowOf(row));
+    } catch (const std::invalid_argument& error) {
+        fmt::print(stderr, "lixel-report: {}\n", error.what());
+        return 2;
+    }
+    const std::vector<TableCase> cases = measureTable(table);
+    printTable(table.setups, cases, 0);
+    if (!options.jsonFile.empty()) writeCases(table, cases, options.jsonFile);
     return 0;
 }
 
@@ -112,6 +130,7 @@ int makeTable(const Options& options) {
             printBudgets(table);
             return 0;
         }
+        if (!options.rows.empty()) return makeTableOfRows(table, options);
         const std::vector<TableCase> cases = measureTable(table);
         printTable(setups, cases, static_cast<std::size_t>(baseline - setups.begin()));
         printClaims(table, cases);
@@ -163,6 +182,11 @@ int main(int argc, char** argv) {
                if (!options.size) throw CLI::ValidationError("--size", noPictureSize(text));
            },
            "With --table: picture size, WxH; fewer pixels are measured faster")
+        ->needs(table);
+    app.add_option("--row", options.rows,
+                   "With --table: a setup and its options, 'NAME KEYWORD=VALUE...', instead of all "
+                   "setups; may be given several times, and the first is what others are compared "
+                   "with")
         ->needs(table);
     auto* const motion =
         app.add_flag("--motion", options.motion,
