@@ -5,8 +5,8 @@
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
 // viewer turns a little from one fit to the next, as it does from frame to frame. Each fit is
 // measured twice: with nothing known of the bodies but their boxes, and with bodies that are known
-// to be convex. Cascades are three maps of Optimal, divided and fitted: into slices by depth, or into
-// strips where they are judged better.
+// to be convex. Optimal is also measured with `edge_weight`. Cascades are three maps of Optimal,
+// divided and fitted: into slices by depth, or into strips where they are judged better.
 #include "fit/core/FitState.h"
 #include "fit/parts/CascadeDivision.h"
 #include "fit/technique/Optimal.h"
@@ -111,10 +111,9 @@ private:
     Boxes mShapes{mBodies};
 };
 
-void measure(benchmark::State& state, const FitTechnique& technique, LightKind kind, int objects,
-             bool convex) {
+void measure(benchmark::State& state, const FitTechnique& technique,
+             const std::shared_ptr<const void>& options, LightKind kind, int objects, bool convex) {
     Field field(kind, objects, convex);
-    const std::shared_ptr<void> options = technique.makeOptions(nullptr);
     FitState memory;
     int frame = 0;
     for (auto _ : state) {
@@ -162,10 +161,23 @@ int main(int argc, char** argv) {
                     const std::string name = std::string(technique->name) + "/" + light.name + "/" +
                                              std::to_string(objects) + (convex ? "/convex" : "");
                     const auto run = [technique, light, objects, convex](auto& state) {
-                        measure(state, *technique, light.kind, objects, convex);
+                        measure(state, *technique, technique->makeOptions(nullptr), light.kind,
+                                objects, convex);
                     };
                     benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
                 }
+    for (const Light& light : Lights)
+        for (const int objects : Sizes) {
+            const std::string name =
+                std::string("Optimal/") + light.name + "/" + std::to_string(objects) + "/edges";
+            const auto run = [light, objects](auto& state) {
+                measure(state, Lixel::OptimalOptions::technique(),
+                        std::make_shared<Lixel::OptimalOptions>(
+                            Lixel::OptimalOptions{.edgeWeight = 0.6}),
+                        light.kind, objects, false);
+            };
+            benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
+        }
     for (const Light& light : Lights)
         for (const int objects : Sizes)
             for (const bool strips : {false, true}) {

@@ -25,6 +25,16 @@ for key in view view_number light sun pixels_counted XPSM error_percent reason; 
     grep -q "\"$key\": " cases.json || fail "no $key in the cases"
 done
 
+# Rows of one's own, with options.
+"$report" --table --kind weapon --first-view --lights 1 --size 160x120 --row Optimal \
+    --row "Optimal edge_weight=1" --row "Cascades-2 edge_weight=0.5 strip_light=false" >rows 2>/dev/null
+for line in '^Optimal edge_weight=1 ' '^Cascades-2 edge_weight=0.5 strip_light=false '; do
+    [ "$(grep -c "$line" rows)" = 2 ] || fail "no line $line: $(cat rows)"
+done
+if "$report" --table --row "Optimal edge_weight=2" 2>wrong; then fail "took a bad option"; fi
+grep -q 'edge_weight' wrong || fail "does not say what is wrong: $(cat wrong)"
+if "$report" --table --row "Nothing" 2>wrong; then fail "took a setup that there is not"; fi
+
 # The command of a bad case draws it as it was measured.
 command=$(sed -n 's/^ *\([^ ]*lixel-browser .*\)/\1/p' table | head -1)
 [ -n "$command" ] || fail "no case is worse than any other's: $(cat table)"

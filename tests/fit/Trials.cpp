@@ -14,6 +14,13 @@ namespace {
 /// Counts are what a technique may spend: larger ones only take longer.
 constexpr double GreatestCount = 300.0;
 
+/// A number from 0 to 1, which says how much there is of something.
+bool isShare(const Option& option) {
+    return option.type == OptionType::Number && option.range.least == 0.0 &&
+           option.range.greatest == 1.0 && !option.range.isLeastOpen &&
+           !option.range.isGreatestOpen;
+}
+
 /// A number of an option's range: every third time near one of its ends.
 double drawNumber(const Option& option, Dice& dice) {
     const OptionRange& range = option.range;
@@ -70,9 +77,9 @@ const std::vector<Trial>& trials() {
             const std::string name(technique->name);
             made.push_back({name, technique, technique->makeOptions(nullptr)});
             for (const Option& option : technique->options) {
-                if (option.type != OptionType::Flag) continue;
                 const auto options = technique->makeOptions(nullptr);
                 const bool isOn = optionNumber(option, options.get()) != 0.0;
+                if (option.type != OptionType::Flag && (isOn || !isShare(option))) continue;
                 setOptionNumber(option, options.get(), isOn ? 0.0 : 1.0);
                 std::string variant = name + (isOn ? "_not_" : "_");
                 variant += option.keyword;

@@ -27,7 +27,8 @@ struct Trial {
 
 std::ostream& operator<<(std::ostream& out, const Trial& trial);
 
-/// Every technique with its default options, and with each of its flags the other way.
+/// Every technique with its default options, with each of its flags the other way, and with
+/// each share that is 0 by default at 1.
 const std::vector<Trial>& trials();
 
 /// Those of the trials that serve all that is seen.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/focus/FrameFingerprint.h"
+#include "fit/sampling/EdgeDensity.h"
 #include "fit/sampling/TexelExtent.h"
 
 #include <optional>
@@ -45,6 +46,7 @@ struct RuleScratch {
     Polygon2 simpleHull;
     SampleScratch sampling;
     std::vector<ViewSample> samples;
+    EdgeDensity edges;
     TexelExtent extent;
 };
 

@@ -13,7 +13,8 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
                      FocusRegion& region) {
     region = FocusRegion{.reason = FitReason::None,
                          .liHull = std::move(region.liHull),
-                         .receiversInView = std::move(region.receiversInView)};
+                         .receiversInView = std::move(region.receiversInView),
+                         .coveringCasters = std::move(region.coveringCasters)};
     region.liHull.clear();
     const auto stop = [&](FitReason reason) { region.reason = reason; };
 
@@ -39,7 +40,8 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
     region.vsReceiverFar = visible.vsRange().y();
 
     // Casters between the light and a visible receiver.
-    RelevantCasters covering(problem, image, lit, visible, region.receiversInView, scratch);
+    RelevantCasters covering(problem, image, lit, visible, region.receiversInView,
+                             region.coveringCasters, scratch);
     covering.addAll(casters);
     region.lsCasterNear = covering.lsNear();
     if (casters.unbounded() > 0) {

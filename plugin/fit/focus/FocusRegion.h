@@ -31,6 +31,8 @@ struct FocusRegion {
     double vsReceiverFar = 0.0;
     /// The receivers that may reach into what is in view and lit.
     BoxSet receiversInView;
+    /// The casters that may cover visible receivers.
+    BoxSet coveringCasters;
 };
 
 /// Finds the focus region. @param[out] region overwritten; its memory is used again

@@ -10,8 +10,6 @@ namespace Lixel {
 /// Scratch memory of focusing, kept between frames: nobody else reads it.
 struct FocusScratch {
     ClipScratch clip;
-    /// The casters that may reach into what covers visible receivers.
-    BoxSet kept;
     /// Those of the largest that cannot shadow themselves.
     ConvexBodies convex;
     /// The receivers that may be behind one of those.

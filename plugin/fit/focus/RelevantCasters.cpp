@@ -17,13 +17,14 @@ constexpr std::size_t MostOfRim = 12;
 
 RelevantCasters::RelevantCasters(const ShadowProblem& problem, const LightImage& image,
                                  const ConvexVolume& lit, const VisibleReceivers& visible,
-                                 const BoxSet& inView, FocusScratch& scratch)
+                                 const BoxSet& inView, BoxSet& kept, FocusScratch& scratch)
     : mProblem(problem),
       mImage(image),
       mLit(lit),
       mSeen(visible.seen()),
       mReceivers(visible.hull()),
       mInView(inView),
+      mKept(kept),
       mScratch(scratch),
       mLsDepth(lsDepthOf(image)),
       mLsReceiverFar(visible.lsRange().y()),
@@ -43,18 +44,18 @@ void RelevantCasters::addAll(const BoxSet& casters) {
         for (std::size_t i = begin; i < edges.size(); i += step)
             planes.push_back(edges[i]);
     planes.push_back(mLsDepth.to(mLsReceiverFar));
-    keepReaching(casters, planes, mScratch.afterFirstPlanes, mScratch.kept);
+    keepReaching(casters, planes, mScratch.afterFirstPlanes, mKept);
 
     // A receiver without bounds may be behind any body.
     if (mProblem.receivers->unbounded() == 0)
-        mScratch.convex.find(mProblem, mScratch.kept, mInView);
+        mScratch.convex.find(mProblem, mKept, mInView);
     else
         mScratch.convex.clear();
 
     planes.clear();
     if (!mScratch.convex.all().empty()) addRim();
     addAllBut(
-        mScratch.kept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
+        mKept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
         [this](const Aabb& box, std::size_t index) {
             const std::size_t revision = mScratch.casters.revision();
             const double lsNear = mLsNear;
@@ -66,9 +67,8 @@ void RelevantCasters::addAll(const BoxSet& casters) {
 }
 
 void RelevantCasters::addRim() {
-    const BoxSet& kept = mScratch.kept;
     const Polygon2& outer = mReceivers.hull();
-    if (kept.size() < LeastForRim || outer.size() < 3) return;
+    if (mKept.size() < LeastForRim || outer.size() < 3) return;
     std::array<Vec3, MostOfRim> directions;
     const std::size_t count = std::min(outer.size(), MostOfRim);
     for (std::size_t i = 0; i < count; ++i) {
@@ -82,9 +82,9 @@ void RelevantCasters::addRim() {
         directions[i] = mImage.lsFromWs().transpose() * Vec3(outward.x(), outward.y(), z);
     }
     std::array<std::size_t, MostOfRim> rim;
-    farBoxes(kept, std::span(directions).first(count), rim);
+    farBoxes(mKept, std::span(directions).first(count), rim);
     for (std::size_t i = 0; i < count; ++i)
-        add(kept.box(rim[i]), kept.origin(rim[i]));
+        add(mKept.box(rim[i]), mKept.origin(rim[i]));
 }
 
 unsigned RelevantCasters::lanesWithin(const BoxSet::Block& block) {

@@ -13,8 +13,10 @@ public:
     /// @param lit what the light reaches; must outlive this
     /// @param visible the visible receivers; must outlive this
     /// @param inView the receivers that may reach into what is in view; must outlive this
+    /// @param[out] kept the casters that may cover visible receivers; must outlive this
     RelevantCasters(const ShadowProblem& problem, const LightImage& image, const ConvexVolume& lit,
-                    const VisibleReceivers& visible, const BoxSet& inView, FocusScratch& scratch);
+                    const VisibleReceivers& visible, const BoxSet& inView, BoxSet& kept,
+                    FocusScratch& scratch);
 
     void addAll(const BoxSet& casters);
 
@@ -50,6 +52,7 @@ private:
     const ConvexVolume& mSeen;
     const ImageHull& mReceivers;
     const BoxSet& mInView;
+    BoxSet& mKept;
     FocusScratch& mScratch;
     Gauge mLsDepth;
     double mLsReceiverFar;

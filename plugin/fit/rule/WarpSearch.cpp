@@ -61,7 +61,7 @@ Vec2 spreadOfWarp(const Polygon2& hull, const Vec2& centre, const Vec2& warp) {
     return std::log((1.0 + extent.greatest) / (1.0 - extent.least)) / length * warp;
 }
 
-WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples, RuleState state)
+WarpSearch::WarpSearch(const WarpContext& context, const Sampling& sampling, RuleState state)
     : mContext(context),
       mMemory(state.memory.search),
       mHull(state.scratch.simpleHull),
@@ -72,13 +72,17 @@ WarpSearch::WarpSearch(const WarpContext& context, std::size_t samples, RuleStat
     mHull = region.liHull;
     simplifyOutward(mHull, SearchVertices);
     sampleView(context.problem, context.image, mHull, region.receiversInView,
-               {.most = samples, .enough = (samples + 1) / 2}, state.scratch.sampling, seen);
+               {.most = sampling.most, .enough = (sampling.most + 1) / 2}, state.scratch.sampling,
+               seen);
     // A camera cut makes it another region, which the last choice has nothing to do with.
     if (mMemory) mChange = changeBetween(mNow.fingerprint, mMemory->fingerprint);
     if (!(mChange < CameraCutChange)) mMemory.reset();
     mNow.step = mMemory ? mMemory->step : FirstStep;
     mNow.turn = mMemory ? mMemory->turn : 0;
     if (seen.empty()) return;
+    if (sampling.edgeWeight > 0.0)
+        weighByEdges(context.problem, context.image, region, mHull, sampling.edgeWeight,
+                     state.scratch.edges, seen);
     mExtent.reset(seen, mHull, region.liCentre);
     const double uniform = mExtent(Vec2::Zero());
     if (std::isfinite(uniform)) mUniform = uniform;

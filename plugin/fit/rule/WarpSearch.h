@@ -24,8 +24,16 @@ public:
     /// Least spread that is probed away from where the search is.
     static constexpr double ProbedSpread = 0.7;
 
-    /// Samples the view. @param samples how many to keep at most
-    WarpSearch(const WarpContext& context, std::size_t samples, RuleState state);
+    /// How the view is sampled.
+    struct Sampling {
+        /// Samples that are kept, at most.
+        std::size_t most;
+        /// How much more those count around which there are many edges of shadows, from 0 to 1:
+        /// @see weighByEdges
+        double edgeWeight = 0.0;
+    };
+    /// Samples the view.
+    WarpSearch(const WarpContext& context, const Sampling& sampling, RuleState state);
 
     /// Whether there is anything to judge warps by.
     bool usable() const { return mUniform > 0.0; }

@@ -159,10 +159,13 @@ void TexelExtent::reset(const std::vector<ViewSample>& samples, const Polygon2& 
         const Vec2 q = real ? Vec2(samples[i].liPoint - centre) : Vec2(0.0, 0.0);
         mSamples.x[i] = q.x();
         mSamples.y[i] = q.y();
+        // A sample's extent goes with the square root of these numbers.
+        const double squared = real ? samples[i].weight * samples[i].weight : 0.0;
         for (std::size_t k = 0; k < 4; ++k)
-            mSamples.ndcFromLi[k][i] = real ? samples[i].ndcFromLi(static_cast<Eigen::Index>(k / 2),
-                                                                   static_cast<Eigen::Index>(k % 2))
-                                            : 0.0;
+            mSamples.ndcFromLi[k][i] =
+                real ? squared * samples[i].ndcFromLi(static_cast<Eigen::Index>(k / 2),
+                                                      static_cast<Eigen::Index>(k % 2))
+                     : 0.0;
     }
 }
 

@@ -71,6 +71,7 @@ struct Points {
 
 struct FourSamples {
     std::array<double, 4> vsDepth;
+    std::array<double, 4> lsDepth;
     std::array<std::array<double, 4>, 2> liPoint;
     /// d(device x, y) / d(light image x, y), by rows.
     std::array<std::array<double, 4>, 4> ndcFromLi;
@@ -166,6 +167,7 @@ unsigned judge(const Judgement& judgement, const Points& points, std::size_t fir
         }
     }
     store(depth, samples.vsDepth.data());
+    store(-ls[2], samples.lsDepth.data());
     store(x, samples.liPoint[0].data());
     store(y, samples.liPoint[1].data());
     const Four determinant = ndcFromLi[0] * ndcFromLi[3] - ndcFromLi[1] * ndcFromLi[2];
@@ -207,6 +209,7 @@ private:
             if ((lanes >> lane & 1) == 0) continue;
             ViewSample& sample = mSamples.emplace_back();
             sample.vsDepth = samples.vsDepth[lane];
+            sample.lsDepth = samples.lsDepth[lane];
             sample.liPoint = {samples.liPoint[0][lane], samples.liPoint[1][lane]};
             sample.ndcFromLi << samples.ndcFromLi[0][lane], samples.ndcFromLi[1][lane],
                 samples.ndcFromLi[2][lane], samples.ndcFromLi[3][lane];

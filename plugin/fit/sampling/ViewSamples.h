@@ -11,9 +11,13 @@ struct ViewSample {
     Vec2 liPoint = Vec2::Zero();
     /// Its depth in front of the viewer, in world units.
     double vsDepth = 0.0;
+    /// Its distance along the light's axis, in world units.
+    double lsDepth = 0.0;
     /// d(viewer's normalised device coordinates) / d(light image), along the surface's tangent
     /// plane.
     Eigen::Matrix2d ndcFromLi = Eigen::Matrix2d::Identity();
+    /// How much it counts among others.
+    double weight = 1.0;
 };
 
 /// How many samples are wanted.

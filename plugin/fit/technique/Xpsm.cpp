@@ -28,7 +28,7 @@ constexpr std::size_t Samples = 64;
     warp either.
 */
 Vec2 guardedWarp(const WarpContext& context, const Vec2& warp, RuleState state) {
-    WarpSearch search(context, Samples, state);
+    WarpSearch search(context, {.most = Samples}, state);
     Vec2 longest = warp;
     // A simplified hull reaches farther than the hull: the warp must be safe on it too.
     pullIntoSafeSet(search.hull(), context.region.liCentre, 0.0, longest);

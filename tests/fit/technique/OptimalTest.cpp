@@ -100,6 +100,7 @@ RC_GTEST_PROP(TexelExtent, IsTheMeanOfItsDefinition, ()) {
         for (double& entry : sample.ndcFromLi.reshaped())
             entry = dice.in(-1.0, 1.0);
         RC_PRE(std::abs(sample.ndcFromLi.determinant()) > 1e-3);
+        sample.weight = dice.in(0.0, 3.0);
     }
     const auto warped = [&](const Vec2& li) {
         const Vec2 q = li - region.centre;
@@ -126,8 +127,8 @@ RC_GTEST_PROP(TexelExtent, IsTheMeanOfItsDefinition, ()) {
                 texelFromLi.col(axis) =
                     (texel(sample.liPoint + step) - texel(sample.liPoint - step)) / (2.0 * Step);
             }
-            sum += std::sqrt(texelFromLi.inverse().norm() *
-                             (sample.ndcFromLi * texelFromLi.inverse()).norm());
+            sum += sample.weight * std::sqrt(texelFromLi.inverse().norm() *
+                                             (sample.ndcFromLi * texelFromLi.inverse()).norm());
         }
         return sum / static_cast<double>(samples.size());
     };
@@ -192,7 +193,7 @@ RC_GTEST_PROP(Optimal, IsNeverExpectedToBeWorseThanUniform, ()) {
     FitState other;
     double cost = 0.0;
     (void)withContext(scene, other, [&](const WarpContext& context, RuleState memory) {
-        WarpSearch search(context, 64, memory);
+        WarpSearch search(context, {.most = 64}, memory);
         if (search.usable()) cost = search(search.spread(fit.liWarp));
         return Vec2(0.0, 0.0);
     });
@@ -217,7 +218,7 @@ TEST(Optimal, FindsWhatBruteForceFinds) {
             ASSERT_TRUE(fit.hasMap()) << fit.reason;
             FitState other;
             (void)withContext(scene, other, [&](const WarpContext& context, RuleState memory) {
-                WarpSearch search(context, 64, memory);
+                WarpSearch search(context, {.most = 64}, memory);
                 EXPECT_TRUE(search.usable());
                 const double least = bruteForce(search);
                 const double ratio = search(search.spread(fit.liWarp)) / least;
@@ -293,7 +294,7 @@ TEST(Optimal, FollowingFindsWhatSearchingAnewFinds) {
             const ShadowFit anew = fitMap(scene.problem(), OptimalOptions{}, fresh);
             FitState other;
             (void)withContext(scene, other, [&](const WarpContext& context, RuleState memory) {
-                WarpSearch search(context, 64, memory);
+                WarpSearch search(context, {.most = 64}, memory);
                 const double ratio =
                     search(search.spread(fit.liWarp)) / search(search.spread(anew.liWarp));
                 sum += std::log(ratio);
