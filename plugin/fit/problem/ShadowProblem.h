@@ -49,6 +49,7 @@ struct VisiblePoint {
 };
 
 class BodyShapes;
+class SeenPicture;
 struct ShadowPart;
 
 /** One light, one viewer and this frame's bodies: everything that a fit depends on.
@@ -69,6 +70,9 @@ struct ShadowProblem {
     /** What the viewer sees of the receivers, if it is known better than from all these: points
         spread evenly over the viewer's picture, such as a depth buffer read back. */
     std::span<const VisiblePoint> visiblePoints{};
+    /// What an earlier frame showed, where there are no visiblePoints: for the cells of the picture
+    /// that it knows. Null without.
+    const SeenPicture* seen = nullptr;
     /// Which receivers the map is for, where the light has several maps; null for all of them.
     /// @see LightPartition.h
     const ShadowPart* part = nullptr;

@@ -48,26 +48,31 @@ void castRays(const Pencil& pencil, Rays& rays) {
     }
 }
 
-/// One point in each cell of the picture; half a cell away from it, across and up, that of the next
-/// round.
 void placeRays(Rays& rays) {
     for (std::size_t round = 0; round < ViewRays::Rounds; ++round)
         for (std::size_t i = 0; i < ViewRays::Count; ++i) {
-            const double shift = 0.5 * static_cast<double>(round);
-            const Vec2 within = lowDiscrepancy(i);
-            const auto place = [&](std::size_t cell, double at, std::size_t cells) {
-                at += shift;
-                return 2.0 * (static_cast<double>(cell) + at - std::floor(at)) /
-                           static_cast<double>(cells) -
-                       1.0;
-            };
-            std::array<ViewRays::Column, 2>& ndc = rays.places[round];
-            ndc[0][i] = place(i % ViewRays::Columns, within.x(), ViewRays::Columns);
-            ndc[1][i] = place(i / ViewRays::Columns, within.y(), ViewRays::Rows);
+            const Vec2 place = ViewRays::placeOf(i, round);
+            rays.places[round][0][i] = place.x();
+            rays.places[round][1][i] = place.y();
         }
 }
 
 } // namespace
+
+/// One point in each cell of the picture; half a cell away from it, across and up, that of the next
+/// round; those of later rounds between them.
+Vec2 ViewRays::placeOf(std::size_t ray, std::size_t round) {
+    const Vec2 shift =
+        round < 2 ? Vec2(Vec2::Constant(0.5 * static_cast<double>(round))) : lowDiscrepancy(round);
+    const Vec2 within = lowDiscrepancy(ray);
+    const auto place = [](std::size_t cell, double at, std::size_t cells) {
+        return 2.0 * (static_cast<double>(cell) + at - std::floor(at)) /
+                   static_cast<double>(cells) -
+               1.0;
+    };
+    return {place(ray % Columns, within.x() + shift.x(), Columns),
+            place(ray / Columns, within.y() + shift.y(), Rows)};
+}
 
 void ViewRays::cast(const Mat4& clipFromWorld, std::size_t round) {
     if (mRays.empty()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/problem/PictureCells.h"
 #include "fit/problem/ShadowProblem.h"
 
 #include <array>
@@ -19,10 +20,9 @@ namespace Lixel {
 class ViewRays {
 public:
     static constexpr std::size_t Rounds = 2;
-    /// Columns come in fours.
-    static constexpr std::size_t Columns = 20;
-    static constexpr std::size_t Rows = 9;
-    static constexpr std::size_t Count = Rows * Columns;
+    static constexpr std::size_t Columns = PictureCells::Columns;
+    static constexpr std::size_t Rows = PictureCells::Rows;
+    static constexpr std::size_t Count = PictureCells::Count;
 
     /// One number of each ray, by rows of cells from the picture's bottom.
     using Column = std::array<double, Count>;
@@ -44,6 +44,10 @@ public:
         Columns3 normal;
     };
     static constexpr double Disc = 3.0;
+
+    /// Where a ray of any round goes through the picture, in device coordinates, be it that it is
+    /// never sent.
+    static Vec2 placeOf(std::size_t ray, std::size_t round);
 
     /// Sends one ray through each cell, away from its middle, so that rays do not line up with rows
     /// of objects.

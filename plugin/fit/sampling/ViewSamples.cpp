@@ -3,6 +3,7 @@
 #include "fit/focus/ViewVolume.h"
 #include "fit/geometry/Multiversion.h"
 #include "fit/geometry/Simd.h"
+#include "fit/problem/SeenPicture.h"
 #include "fit/problem/ShadowPart.h"
 
 #include <Eigen/Geometry>
@@ -12,6 +13,11 @@
 
 namespace Lixel {
 namespace {
+
+/// So many points of a cell that was seen are tried.
+constexpr std::size_t PointRounds = 8;
+/// Where as many cells as this were seen, rays through the others need not be as many as points.
+constexpr std::size_t MostCells = PictureCells::Count * 9 / 10;
 
 /// Least cosine between normal and light.
 constexpr double LeastFacing = 0.05;
@@ -184,6 +190,7 @@ public:
     }
 
     bool complete() const { return mSamples.size() >= mWanted; }
+    std::size_t count() const { return mSamples.size(); }
     void want(std::size_t samples) { mWanted = samples; }
 
     void add(const VisiblePoint& point) {
@@ -254,25 +261,40 @@ void placeDiscs(std::span<const KnownSurface> surfaces, std::vector<Surfel>& dis
     }
 }
 
-/// Collects what view rays see of the receivers: of their known surfaces, and of the boxes of all
-/// others.
+/// Collects what an earlier frame showed, or else what view rays see of the receivers: of their
+/// known surfaces, and of the boxes of all others.
 void traceReceivers(const ShadowProblem& problem, const LightImage& image,
                     const BoxSet& receiversInView, std::size_t enough, SampleScratch& scratch,
                     Collector& collector) {
     const Mat4 clipFromWorld =
         withDepthAhead(problem.viewer.clipFromView) * problem.viewer.viewFromWorld;
-    placeDiscs(problem.surfaces, scratch.discs);
+    const SeenPicture* const seen = problem.seen;
+    const bool traces = seen == nullptr || seen->known() < PictureCells::Count;
+    if (traces) placeDiscs(problem.surfaces, scratch.discs);
     // What is in view but not lit, or in another map's part, hides what is: a directional light
     // without parts has neither.
     const bool allLit = image.directional() && problem.part == nullptr && problem.surfaces.empty();
     const BoxSet& boxes = allLit ? receiversInView : *problem.receivers;
     const Vec3 towards = image.lsFromWs().row(2);
     ViewRays& rays = scratch.rays;
-    for (std::size_t round = 0; round < ViewRays::Rounds && !collector.complete(); ++round) {
-        rays.cast(clipFromWorld, round);
-        rays.meet(boxes, problem.surfaces);
-        rays.meet(scratch.discs);
+    const bool isSeen = seen != nullptr && seen->known() >= MostCells;
+    const std::size_t rounds = isSeen ? PointRounds : ViewRays::Rounds;
+    for (std::size_t round = 0; round < rounds && !collector.complete(); ++round) {
+        const bool casts =
+            traces && (round == 0 || (round < ViewRays::Rounds && collector.count() < enough));
+        if (casts) {
+            rays.cast(clipFromWorld, round);
+            rays.meet(boxes, problem.surfaces);
+            rays.meet(scratch.discs);
+        }
         visitSpread(ViewRays::Count, [&](std::size_t i) {
+            if (seen != nullptr && seen->isKnown(i)) {
+                if (const SeenPicture::Point* const point =
+                        seen->nearest(i, ViewRays::placeOf(i, round)))
+                    collector.add(point->point);
+                return !collector.complete();
+            }
+            if (!casts) return true;
             // Many points face away from a directional light: they need not be found.
             if (!rays.hit(i) || (image.directional() && rays.facing(i, towards) < LeastFacing))
                 return true;
@@ -280,7 +302,8 @@ void traceReceivers(const ShadowProblem& problem, const LightImage& image,
             return !collector.complete();
         });
         collector.flush();
-        collector.want(enough);
+        // Rays that meet bodies take time, points that are known do not.
+        if (!isSeen) collector.want(enough);
     }
 }
 

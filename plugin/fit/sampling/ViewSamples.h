@@ -38,8 +38,9 @@ struct SampleScratch {
 
     The visible points are the problem's own where it has any; otherwise view rays, spread evenly
     over the picture, meet the receivers: their known surfaces, or else their boxes. A box that a
-    ray starts in is hit where the ray leaves it. A sample must face the light, n . l >= 0.05, like
-    the pixels whose shadows are judged.
+    ray starts in is hit where the ray leaves it. Where the problem knows what an earlier frame
+    showed, the point nearest to the ray's place stands in for what the ray would meet. A sample
+    must face the light, n . l >= 0.05, like the pixels whose shadows are judged.
 
     Where there are more points than wanted, they are taken in an order whose every beginning is
     spread over all of them, until there are enough: so one that comes or goes changes few samples.

@@ -1,6 +1,8 @@
 // How many samples of the view there are, and how they come and go.
 #include "fit/Problems.h"
 
+#include "fit/problem/SeenPicture.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,4 +66,71 @@ TEST(ViewSamples, ComeAndGoFewAtATime) {
     }
     EXPECT_LE(most, 4U);
     EXPECT_GT(last.size(), Enough);
+}
+
+namespace {
+
+/// A wall that was seen nearer than the receivers' box says, in the picture's left half; the right
+/// half was not seen.
+SeenPicture seenLeftOf(double ndcEnd, double distance) {
+    SeenSurfaces seen;
+    constexpr std::size_t Across = 3 * PictureCells::Columns;
+    constexpr std::size_t Up = 3 * PictureCells::Rows;
+    for (std::size_t i = 0; i < Across * Up; ++i) {
+        const Vec2 ndc(2.0 * (static_cast<double>(i % Across) + 0.5) / Across - 1.0,
+                       2.0 * (static_cast<double>(i / Across) + 0.5) / Up - 1.0);
+        if (ndc.x() > ndcEnd) continue;
+        const Vec3 ahead(1.5 * std::tan(0.5) * ndc.x(), std::tan(0.5) * ndc.y(), -1.0);
+        seen.points.push_back({distance * ahead, Vec3::UnitZ()});
+    }
+    ShadowViewer viewer;
+    viewer.clipFromView = perspective(1.0, 1.5, 0.1, 100.0);
+    SeenPicture picture;
+    picture.take(seen, viewer, Vec3::Zero());
+    return picture;
+}
+
+std::vector<ViewSample> samplesOfSeenWall(const SeenPicture* seen) {
+    Scene scene;
+    scene.viewer.clipFromView = perspective(1.0, 1.5, 0.1, 100.0);
+    scene.light.wsDirection = Vec3(0.0, 0.0, -1.0);
+    scene.receivers.add({Vec3(0.0, 0.0, -20.0), Vec3(100.0, 100.0, 10.0)});
+    scene.casters.add({Vec3(0.0, 0.0, 10.0), Vec3(100.0, 100.0, 1.0)});
+    ShadowProblem problem = scene.problem();
+    problem.seen = seen;
+    return samplesOf(problem, {.most = Most, .enough = Enough});
+}
+
+} // namespace
+
+TEST(ViewSamples, AreWhatWasSeenWhereThatIsKnown) {
+    const SeenPicture all = seenLeftOf(1.0, 15.0);
+    const std::vector<ViewSample> samples = samplesOfSeenWall(&all);
+    EXPECT_EQ(samples.size(), Most);
+    for (const ViewSample& sample : samples)
+        EXPECT_NEAR(sample.vsDepth, 15.0, 1e-9);
+}
+
+TEST(ViewSamples, AreWhatRaysSeeOfTheRest) {
+    const SeenPicture half = seenLeftOf(0.0, 15.0);
+    const std::vector<ViewSample> samples = samplesOfSeenWall(&half);
+    const auto near = std::ranges::count_if(
+        samples, [](const ViewSample& sample) { return std::abs(sample.vsDepth - 15.0) < 1e-9; });
+    const auto box = std::ranges::count_if(
+        samples, [](const ViewSample& sample) { return std::abs(sample.vsDepth - 10.0) < 1e-9; });
+    EXPECT_EQ(near + box, static_cast<std::ptrdiff_t>(samples.size()));
+    // Each half of the picture has its share.
+    EXPECT_NEAR(static_cast<double>(near), static_cast<double>(samples.size()) / 2.0, 3.0);
+}
+
+TEST(ViewSamples, OfAPictureThatKnowsNothingAreThoseOfRays) {
+    SeenPicture cut;
+    cut.clear();
+    const std::vector<ViewSample> rays = samplesOfSeenWall(nullptr);
+    const std::vector<ViewSample> samples = samplesOfSeenWall(&cut);
+    ASSERT_EQ(samples.size(), rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(samples[i].liPoint, rays[i].liPoint);
+        EXPECT_EQ(samples[i].vsDepth, rays[i].vsDepth);
+    }
 }
