@@ -64,6 +64,7 @@ set(public_headers
   setup/MapPlan.h
   setup/ShadowMapObserver.h
   setup/TechniqueShadowCameraSetup.h
+  setup/VisiblePointFeedback.h
   material/ShadowMaterials.h
   material/ShadowParameters.h
   script/PresetSettings.h

@@ -2,8 +2,7 @@
 
 #include "fit/focus/ViewVolume.h"
 #include "scene/OgreMath.h"
-
-#include <Eigen/LU>
+#include "scene/ViewerOf.h"
 
 #include <OgreCamera.h>
 #include <OgreEntity.h>
@@ -62,17 +61,7 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport, do
     mUnboundedName.clear();
     mObjectCount = 0;
 
-    // The matrix of the camera itself: without the argument it is the culling frustum's, if any.
-    const Mat4 view = toDouble(Ogre::Matrix4(viewer.getViewMatrix(true)));
-    const Mat3 rotation = view.topLeftCorner<3, 3>();
-    // A plain camera's position is exact; the view matrix' translation is rounded at the scale of
-    // the world. Reflected cameras and custom view matrices have no other.
-    const bool plain = !viewer.isReflected() && !viewer.isCustomViewMatrixEnabled();
-    mWsOrigin = plain ? toDouble(viewer.getDerivedPosition())
-                      : Vec3(-rotation.inverse() * view.topRightCorner<3, 1>());
-    mViewer.viewFromWorld = Mat4::Identity();
-    mViewer.viewFromWorld.topLeftCorner<3, 3>() = rotation;
-    mViewer.clipFromView = toDouble(viewer.getProjectionMatrix());
+    mViewer = viewerOf(viewer, mWsOrigin);
     mReceiverShapes.reset(mMeshes, mWsOrigin);
     ShadowViewer reach = mViewer;
     reach.shadowDistance = shadowDistance;

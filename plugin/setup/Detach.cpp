@@ -5,6 +5,7 @@
 #include "scene/SurveyCache.h"
 #include "setup/LightGuard.h"
 #include "setup/ShadowPass.h"
+#include "setup/ViewerFeedback.h"
 
 #include <OgreRoot.h>
 #include <OgreSceneManager.h>
@@ -15,6 +16,7 @@ void detachFromOgre() {
     unguardLights();
     unwatchScenes();
     dropSurveys();
+    forgetFeedback();
     forgetShadowPasses();
     for (const auto& [name, sceneManager] : Ogre::Root::getSingleton().getSceneManagers())
         forgetIdentities(*sceneManager);

@@ -36,6 +36,10 @@ constexpr std::array DeclaredCommon{
                                         "how much coarser a map's texels may become before it is "
                                         "fitted anew while the viewer moves; "
                                         "0: fitted in each frame"),
+    option<&CommonOptions::feedback>(
+        "feedback", "whether maps are judged by what the frame before showed, whose depths are "
+                    "read back without waiting for the GPU, instead of by a few view rays: XPSM, "
+                    "Optimal and cascades, with OpenGL"),
 };
 
 void addOptions(std::span<const Option> declared, void* options, Fingerprint& settings) {

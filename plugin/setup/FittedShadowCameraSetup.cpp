@@ -13,6 +13,7 @@
 #include "setup/ShadowCameraPlacement.h"
 #include "setup/ShadowPass.h"
 #include "setup/StillLayer.h"
+#include "setup/ViewerFeedback.h"
 
 #include <OgreCamera.h>
 #include <OgreGpuProgramManager.h>
@@ -81,6 +82,7 @@ ShadowProblem withoutBodies(const ShadowProblem& problem) {
     rest.casterShapes = rest.receiverShapes = nullptr;
     rest.surfaces = {};
     rest.visiblePoints = {};
+    rest.seen = nullptr;
     return rest;
 }
 
@@ -227,6 +229,7 @@ FittedShadowCameraSetup::situationOf(const Request& request,
     Fingerprint situation;
     addSettings(situation);
     situation.add(mVisiblePointsSet);
+    if (mCommon.feedback) situation.add(feedbackVersion(request.viewer));
     situation.add(std::uint64_t{memory.maps});
     addSituation(request.light, request.viewer, request.viewport,
                  std::span(targets).first(std::min(memory.maps, targets.size())), situation);
@@ -252,6 +255,8 @@ void FittedShadowCameraSetup::prepareMap(const Request& request, const ShadowTar
     if (iteration == 0) findCasters(problem, survey, memory);
     const double searchTime = iteration == 0 ? since(searchBegin) : 0.0;
     problem.visiblePoints = memory.visiblePoints;
+    if (mCommon.feedback && memory.visiblePoints.empty())
+        problem.seen = feedbackFor(viewer, survey.viewer(), survey.wsOrigin()).seen;
     problem.casters = memory.casters;
 
     const auto fitBegin = Clock::now();

@@ -77,6 +77,12 @@ struct CommonOptions {
         goes on; the map is fitted anew when the margin is used up, or its texels are too coarse.
         Shadows' edges do not crawl meanwhile. */
     double lastingMaps = 0.0;
+    /** Whether setups that judge maps by samples (XPSM, Optimal, cascades) judge by what the viewer's
+        frame before showed, of which a few pixels' depths are read back without waiting for the GPU,
+        instead of by view rays against boxes and meshes. Where he sees what was hidden then, rays are
+        used nevertheless. Needs OpenGL and a viewport with a depth buffer; setVisiblePoints goes
+        first. @see feedbackStatistics */
+    bool feedback = false;
 
     LIXEL_API static std::span<const Option> declared();
 };
@@ -156,6 +162,10 @@ public:
     /// @throws Ogre::InvalidParametersException unless 0 <= share <= 1.
     void setLastingMaps(Ogre::Real share);
     Ogre::Real getLastingMaps() const { return static_cast<Ogre::Real>(mCommon.lastingMaps); }
+
+    /// @see CommonOptions::feedback
+    void setFeedback(bool use) { mCommon.feedback = use; }
+    bool getFeedback() const { return mCommon.feedback; }
 
     /** What the viewer sees of the receivers, where the application knows it better than a few view
         rays against boxes and meshes do: points spread evenly over the picture, in world
