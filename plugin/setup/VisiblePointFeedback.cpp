@@ -7,7 +7,9 @@
 
 #include <OgreCamera.h>
 #include <OgreException.h>
+#include <OgreRenderSystem.h>
 #include <OgreRoot.h>
+#include <OgreSceneManager.h>
 
 #include <algorithm>
 #include <array>
@@ -175,9 +177,12 @@ Feedback ViewerListener::ask(const ShadowViewer& now, const Vec3& wsOrigin) {
 }
 
 void ViewerListener::cameraPostRenderScene(Ogre::Camera*) {
-    // A frame may show a viewer several times: the first one is read.
-    const Ogre::Viewport* const viewport = mCamera.getViewport();
-    if (!mIsAsked || mIsRead || viewport == nullptr || !DepthReader::isSupported()) return;
+    // A frame may show a viewer several times: the first one with shadows is read.
+    if (!mIsAsked || mIsRead || !DepthReader::isSupported()) return;
+    // A camera's own viewport is the one that was made or resized last.
+    const Ogre::Viewport* const viewport = mCamera.getSceneManager()->getCurrentViewport();
+    Ogre::RenderSystem& system = *Ogre::Root::getSingleton().getRenderSystem();
+    if (viewport == nullptr || viewport != system._getViewport()) return;
     const Stopwatch watch(mStatistics.microseconds);
     mIsRead = true;
     const bool wasBroken = mReader.isBroken();

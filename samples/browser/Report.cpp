@@ -3,6 +3,7 @@
 #include <Lixel/material/OnDemandPrograms.h>
 #include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/MapPlan.h>
+#include <Lixel/setup/VisiblePointFeedback.h>
 
 #include <OgreGpuProgram.h>
 #include <OgreImage.h>
@@ -98,6 +99,7 @@ void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& 
             {"maps_reused", measured.mapsReused},
             {"maps_skipped", measured.mapsSkipped},
             {"reason", measured.reason},
+            {"feedback", toString(feedbackStatistics(stage.camera()).state)},
             {"programs", programs.known},
             {"programs_compiled", programs.compiled},
             {"programs_used", programs.used},

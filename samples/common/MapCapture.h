@@ -24,12 +24,12 @@ struct CapturedFrame {
 /** Shadow maps' matrices, as OGRE would draw with them.
 
     While one lives, the stage's frames find what is visible and set shadow cameras up, but draw
-    nothing, or maps alone where that is asked for. Afterwards every light has one map again, of the
+    nothing, or maps alone or all of it where that is asked for. Afterwards every light has one map again, of the
     size that was captured last. The light keeps the setup that was captured last.
 */
 class MapCapture : private ShadowMapObserver, private Ogre::SceneManager::Listener {
 public:
-    enum class Draws { Nothing, Maps };
+    enum class Draws { Nothing, Maps, Everything };
     explicit MapCapture(Stage& stage);
     ~MapCapture() override;
     MapCapture(const MapCapture&) = delete;
@@ -60,7 +60,9 @@ public:
 
 private:
     void shadowMapFitted(const ShadowMap& map) override;
-    void shadowTexturesUpdated(std::size_t) override { setDrawing(false); }
+    void shadowTexturesUpdated(std::size_t) override {
+        if (mDraws != Draws::Everything) setDrawing(false);
+    }
     void setDrawing(bool on);
     void setMaps(int mapSize, std::size_t count);
 

@@ -84,6 +84,17 @@ void MapEmulation::setLight(const OracleLight& light) {
     }
 }
 
+/// Numbers the texels of all maps through. @return how many there are
+std::size_t MapEmulation::numberTexels(std::span<const EmulatedMap> maps) {
+    std::size_t texels = 0;
+    mFirstTexel.clear();
+    for (const EmulatedMap& map : maps) {
+        mFirstTexel.push_back(texels);
+        texels += static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+    }
+    return texels;
+}
+
 void MapEmulation::findTexels(std::span<const EmulatedMap> maps, const OracleView& reader) {
     mTexelOf.assign(mReceivers.size(), None);
     forEachPart(mReceivers.size(), PartSize, [&](std::size_t begin, std::size_t end) {
@@ -197,12 +208,7 @@ std::vector<std::uint8_t> MapEmulation::visibility(std::span<const EmulatedMap> 
 
 std::vector<std::uint8_t> MapEmulation::visibility(std::span<const EmulatedMap> maps,
                                                    const OracleView& reader) {
-    std::size_t texels = 0;
-    mFirstTexel.clear();
-    for (const EmulatedMap& map : maps) {
-        mFirstTexel.push_back(texels);
-        texels += static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
-    }
+    const std::size_t texels = numberTexels(maps);
     findTexels(maps, reader);
     shareRays(texels);
     traceRays(maps);
@@ -214,6 +220,16 @@ std::vector<std::uint8_t> MapEmulation::visibility(std::span<const EmulatedMap> 
                 visible[mReceivers[i].pixel] = 0;
     });
     return visible;
+}
+
+std::size_t MapEmulation::shadowedOutside(std::span<const EmulatedMap> maps) {
+    numberTexels(maps);
+    findTexels(maps, mView);
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < mReceivers.size(); ++i)
+        if (mTruth.pixels[mReceivers[i].pixel] == PixelClass::Shadowed && mTexelOf[i] == None)
+            ++outside;
+    return outside;
 }
 
 ClassificationError MapEmulation::error(std::span<const EmulatedMap> maps) {

@@ -72,6 +72,9 @@ public:
 
     const VisiblePoints& points() const { return mPoints; }
 
+    /// How many pixels are in shadow and in no map: the map that serves them has no texel for them.
+    std::size_t shadowedOutside(std::span<const EmulatedMap> maps);
+
     /// How wrong that is.
     ClassificationError error(std::span<const EmulatedMap> maps);
 
@@ -91,6 +94,7 @@ private:
         double bias;   ///< world units
     };
 
+    std::size_t numberTexels(std::span<const EmulatedMap> maps);
     void findTexels(std::span<const EmulatedMap> maps, const OracleView& reader);
     void shareRays(std::size_t texelCount);
     void traceRays(std::span<const EmulatedMap> maps);

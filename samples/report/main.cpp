@@ -10,6 +10,7 @@
 #ifdef LIXEL_SAMPLES_RTSS
 #include "report/Casters.h"
 #endif
+#include "report/FeedbackTable.h"
 #include "report/Motion.h"
 #include "report/Rows.h"
 #include "report/Table.h"
@@ -41,6 +42,7 @@ struct Options {
     bool bestXpsm = false;
     bool casters = false;
     bool motion = false;
+    bool feedback = false;
     int frames = MotionOptions().frames;
     std::vector<std::string> kinds;
     std::vector<std::string> rows;   ///< of the table; empty for all setups
@@ -122,6 +124,10 @@ int makeTable(const Options& options) {
             return 0;
         }
 #endif
+        if (options.feedback) {
+            printFeedback(table, options.frames);
+            return 0;
+        }
         if (options.bestXpsm) {
             printBestXpsm(table);
             return 0;
@@ -194,12 +200,16 @@ int main(int argc, char** argv) {
                      "are drawn, by setup and lasting_maps, by emulation")
             ->excludes(assignments)
             ->excludes(kinds);
-    app.add_option("--frames", options.frames, "With --motion: frames of each motion")
-        ->check(CLI::Range(2, 100000))
-        ->needs(motion);
+    app.add_option("--frames", options.frames, "With --motion or --feedback: frames of each motion")
+        ->check(CLI::Range(2, 100000));
     app.add_option("--sample", options.motionScene, "With --motion: one scene alone")
         ->check(CLI::IsMember({"street", "field", "miners-lamp", "model"}))
         ->needs(motion);
+    app.add_flag("--feedback", options.feedback,
+                 "What the option feedback gives a walking viewer, and after a camera cut: errors, "
+                 "points without shadow, and times")
+        ->excludes(assignments)
+        ->excludes(motion);
     app.add_option("--json", options.jsonFile,
                    "With --table or --motion: a file for all numbers, JSON");
     CLI11_PARSE(app, argc, argv);
@@ -215,7 +225,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     if (options.motion) return filmMotion(options);
-    if (options.table || options.bestXpsm || options.budgets || options.casters)
+    if (options.table || options.feedback || options.bestXpsm || options.budgets || options.casters)
         return makeTable(options);
     for (const std::string& name : {options.setup, options.baseline}) {
         if (findShadowSetup(name) == nullptr) {

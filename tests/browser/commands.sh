@@ -37,7 +37,7 @@ for setup in $(sed -n '/^Setups:/,$s/^  //p' list); do
     [ -s "$setup.png" ] || fail "no picture with $setup"
     for key in sample setup map width height error_percent acne_percent leak_percent survey_us \
         fit_us caster_ms receiver_ms frame_ms still_frame_ms maps_drawn maps_drawn_moving maps_reused \
-        maps_skipped reason programs programs_compiled programs_used gl_renderer; do
+        maps_skipped reason feedback programs programs_compiled programs_used gl_renderer; do
         grep -q "\"$key\": " "$setup.json" || fail "no $key in the statistics of $setup"
     done
 done
@@ -48,6 +48,10 @@ done
     sed -n '/^| setup | option | values |/,/^$/p' "$readme"
     sed -n '/^| keyword | values |/,/^$/{/^|/p}' "$readme"
 } | cmp - options || fail "the README's tables of options are not what --options prints"
+
+"$browser" --headless --sample field --set feedback=on --map 128 --size 160x120 --frames 2 \
+    --stats feedback.json >/dev/null
+grep -q '"feedback": "used"' feedback.json || fail "feedback: $(cat feedback.json)"
 
 # A still picture's map is kept, in Lixel's scene manager too, and is what would be drawn.
 "$browser" --headless --sample field --manager LixelSceneManager --proof --map 128 --size 160x120 \

@@ -187,6 +187,25 @@ TEST(VisiblePointFeedback, ReadsTexturesOfOtherViewersToo) {
     expectTruePoints(scene, scene.stage.camera(), 320, 240);
 }
 
+TEST(VisiblePointFeedback, ReadsTheFirstOfAViewersViewports) {
+    FeedbackStage scene;
+    TextureView other(scene, 0);
+    // The texture is drawn first, and its viewport is older.
+    other.target().removeAllViewports();
+    other.target().addViewport(&scene.stage.camera());
+    scene.stage.window().removeAllViewports();
+    scene.stage.window().addViewport(&scene.stage.camera());
+    scene.draw(FramesUntilReady);
+    expectTruePoints(scene, scene.stage.camera(), 300, 200);
+    const FeedbackStatistics before = scene.statistics();
+    scene.draw(6);
+    const FeedbackStatistics after = scene.statistics();
+    EXPECT_EQ(after.state, FeedbackState::Used);
+    EXPECT_EQ(after.begun, before.begun + 6) << "once a frame";
+    EXPECT_EQ(after.columns, before.columns);
+    EXPECT_EQ(after.leftOut, 0U);
+}
+
 TEST(VisiblePointFeedback, ReadsMultisampledTextures) {
     FeedbackStage scene;
     TextureView other(scene, 4);
