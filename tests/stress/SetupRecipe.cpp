@@ -131,6 +131,7 @@ void turnCommon(FittedShadowCameraSetup& setup, Random& random) {
                                    static_cast<double>(random.between(-9, 9))),
                               Vec3::UnitY()});
     setup.setVisiblePoints(points);
+    setup.setFeedback(random.oneIn(3));
 }
 
 } // namespace
