@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t LeastSide = 8;
 constexpr std::size_t MostSide = 512;
 
-/// Readings that arrive later than this many readings after they were begun say little.
+/// A reading of a frame that was drawn so many frames ago says little.
 constexpr std::uint64_t OldestReading = 8;
 
 std::size_t wantedColumns = 60;
@@ -54,7 +54,10 @@ private:
 struct Moment {
     ShadowViewer viewer;
     Vec3 wsOrigin = Vec3::Zero();
+    /// Of those that asked.
+    std::uint64_t frame = 0;
 
+    /// Whether he saw the same.
     bool operator==(const Moment& other) const {
         return viewer.viewFromWorld == other.viewer.viewFromWorld &&
                viewer.clipFromView == other.viewer.clipFromView && wsOrigin == other.wsOrigin;
@@ -92,6 +95,8 @@ private:
     Ogre::Camera& mCamera;
     DepthReader mReader;
     std::uint64_t mBegun = 0;
+    /// Frames that asked for it.
+    std::uint64_t mFramesAsked = 0;
     /// The viewer of each reading under way, by its number.
     std::array<Moment, DepthReader::Buffers> mMoments;
     /// The frame that was last asked for, and the last one read.
@@ -144,8 +149,8 @@ void ViewerListener::fetch() {
     const Moment& then = mMoments[mArriving.number % DepthReader::Buffers];
     const bool isSame = mVersion > 0 && mArriving.depths == mReading.depths && then == mThen;
     std::swap(mReading, mArriving);
-    if (isSame) return;
     mThen = then;
+    if (isSame) return;
     surfacesOf(mReading.grid, mThen.viewer.clipFromView * mThen.viewer.viewFromWorld, mSurfaces);
     mStatistics.columns = mReading.grid.columns;
     mStatistics.rows = mReading.grid.rows;
@@ -155,7 +160,7 @@ void ViewerListener::fetch() {
 
 FeedbackState ViewerListener::use(const Moment& now) {
     if (!DepthReader::isSupported() || mReader.isBroken()) return FeedbackState::NotSupported;
-    if (mVersion == 0 || mBegun - mReading.number > OldestReading) return FeedbackState::NotReady;
+    if (mVersion == 0 || mFramesAsked - mThen.frame > OldestReading) return FeedbackState::NotReady;
     if (mSeenVersion != mVersion || !(mNow == now)) {
         mSeen.take(mSurfaces, now.viewer, mThen.wsOrigin - now.wsOrigin);
         mSeenVersion = mVersion;
@@ -165,14 +170,14 @@ FeedbackState ViewerListener::use(const Moment& now) {
 }
 
 Feedback ViewerListener::ask(const ShadowViewer& now, const Vec3& wsOrigin) {
-    mIsAsked = true;
+    if (!std::exchange(mIsAsked, true)) ++mFramesAsked;
     const Stopwatch watch(mStatistics.microseconds);
-    mStatistics.state = use({now, wsOrigin});
+    mStatistics.state = use({now, wsOrigin, mFramesAsked});
     const bool isUsed = mStatistics.state == FeedbackState::Used;
     mStatistics.known =
         isUsed ? static_cast<double>(mSeen.known()) / static_cast<double>(PictureCells::Count)
                : 0.0;
-    mStatistics.age = isUsed ? static_cast<unsigned>(mBegun + 1 - mReading.number) : 0;
+    mStatistics.age = isUsed ? static_cast<unsigned>(mFramesAsked - mThen.frame) : 0;
     return {isUsed ? &mSeen : nullptr, mVersion};
 }
 
@@ -190,6 +195,7 @@ void ViewerListener::cameraPostRenderScene(Ogre::Camera*) {
         ++mBegun;
         Moment& moment = mMoments[mBegun % DepthReader::Buffers];
         moment.viewer = viewerOf(mCamera, moment.wsOrigin);
+        moment.frame = mFramesAsked;
         ++mStatistics.begun;
     } else if (!mReader.isBroken()) {
         ++mStatistics.leftOut;
