@@ -1,36 +1,17 @@
 #include "setup/DepthReader.h"
 
 #include "scene/OgreVersions.h"
-
-#include <GL/gl.h>
-#include <GL/glext.h>
+#include "setup/GlFunctions.h"
 
 #include <OgreRenderTarget.h>
-
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <optional>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 namespace Lixel {
 namespace {
-
-using GetProcAddress = void (*(*)(const char*))();
-
-/// What gives OpenGL's functions of the context that is current. Null without.
-GetProcAddress findGetProcAddress() {
-    // EGL first: only with EGL is one of its contexts current.
-    using GetCurrentContext = void* (*)();
-    const auto eglContext =
-        reinterpret_cast<GetCurrentContext>(dlsym(RTLD_DEFAULT, "eglGetCurrentContext"));
-    const char* const name = eglContext != nullptr && eglContext() != nullptr
-                                 ? "eglGetProcAddress"
-                                 : "glXGetProcAddressARB";
-    return reinterpret_cast<GetProcAddress>(dlsym(RTLD_DEFAULT, name));
-}
 
 /// From one column or row to the next: odd, so that there is a pixel in the middle.
 unsigned stepOf(unsigned pixels, std::size_t count) {
@@ -87,36 +68,8 @@ struct DepthFormat {
 
 } // namespace
 
-/// OpenGL's functions, and what is made of them.
-struct DepthReader::Gl {
-    decltype(&glGetIntegerv) getIntegerv;
-    decltype(&glGetError) getError;
-    decltype(&glIsEnabled) isEnabled;
-    decltype(&glEnable) enable;
-    decltype(&glDisable) disable;
-    decltype(&glPixelStorei) pixelStorei;
-    decltype(&glReadPixels) readPixels;
-    PFNGLGENFRAMEBUFFERSPROC genFramebuffers;
-    PFNGLDELETEFRAMEBUFFERSPROC deleteFramebuffers;
-    PFNGLBINDFRAMEBUFFERPROC bindFramebuffer;
-    PFNGLFRAMEBUFFERRENDERBUFFERPROC framebufferRenderbuffer;
-    PFNGLCHECKFRAMEBUFFERSTATUSPROC checkFramebufferStatus;
-    PFNGLBLITFRAMEBUFFERPROC blitFramebuffer;
-    PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVPROC getAttachmentParameter;
-    PFNGLGENRENDERBUFFERSPROC genRenderbuffers;
-    PFNGLDELETERENDERBUFFERSPROC deleteRenderbuffers;
-    PFNGLBINDRENDERBUFFERPROC bindRenderbuffer;
-    PFNGLRENDERBUFFERSTORAGEPROC renderbufferStorage;
-    PFNGLGENBUFFERSPROC genBuffers;
-    PFNGLDELETEBUFFERSPROC deleteBuffers;
-    PFNGLBINDBUFFERPROC bindBuffer;
-    PFNGLBUFFERDATAPROC bufferData;
-    PFNGLGETBUFFERSUBDATAPROC getBufferSubData;
-    PFNGLFENCESYNCPROC fenceSync;
-    PFNGLCLIENTWAITSYNCPROC clientWaitSync;
-    PFNGLDELETESYNCPROC deleteSync;
-
-    bool isLoaded = false;
+/// What is made of OpenGL's functions.
+struct DepthReader::Gl : GlFunctions {
     DepthFormat format;
     /// Of the viewport that it was prepared for.
     GLsizei width = 0;
@@ -128,12 +81,6 @@ struct DepthReader::Gl {
     /// One depth a pixel, of a multisampled viewport; 0 of others.
     GLuint resolved = 0;
 
-    Gl();
-    GLint get(GLenum what) const {
-        GLint value = 0;
-        getIntegerv(what, &value);
-        return value;
-    }
     DepthFormat boundFormat() const;
     bool hasGrid() const { return across.count > 0 && up.count > 0; }
     GLsizei gridSize() const { return static_cast<GLsizei>(across.count * up.count); }
@@ -158,88 +105,6 @@ struct DepthReader::Slot {
     bool isFlipped = false;
     bool isReversed = false;
 };
-
-namespace {
-
-/// OpenGL's state that a reading changes, put back at the end.
-template <typename Gl>
-class KeptState {
-public:
-    explicit KeptState(const Gl& gl)
-        : mGl(gl),
-          mDraw(gl.get(GL_DRAW_FRAMEBUFFER_BINDING)),
-          mRead(gl.get(GL_READ_FRAMEBUFFER_BINDING)),
-          mRenderbuffer(gl.get(GL_RENDERBUFFER_BINDING)),
-          mPack(gl.get(GL_PIXEL_PACK_BUFFER_BINDING)),
-          mScissor(gl.isEnabled(GL_SCISSOR_TEST)) {
-        for (auto& [name, value] : mStore)
-            value = gl.get(name);
-    }
-    KeptState(const KeptState&) = delete;
-    KeptState& operator=(const KeptState&) = delete;
-    ~KeptState() {
-        mGl.bindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(mDraw));
-        mGl.bindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(mRead));
-        mGl.bindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(mRenderbuffer));
-        mGl.bindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(mPack));
-        if (mScissor) mGl.enable(GL_SCISSOR_TEST);
-        for (const auto& [name, value] : mStore)
-            mGl.pixelStorei(name, value);
-    }
-
-    GLuint target() const { return static_cast<GLuint>(mDraw); }
-
-private:
-    const Gl& mGl;
-    GLint mDraw;
-    GLint mRead;
-    GLint mRenderbuffer;
-    GLint mPack;
-    GLboolean mScissor;
-    std::array<std::pair<GLenum, GLint>, 5> mStore{{{GL_PACK_ALIGNMENT, 0},
-                                                    {GL_PACK_ROW_LENGTH, 0},
-                                                    {GL_PACK_SKIP_ROWS, 0},
-                                                    {GL_PACK_SKIP_PIXELS, 0},
-                                                    {GL_PACK_SWAP_BYTES, 0}}};
-};
-
-} // namespace
-
-DepthReader::Gl::Gl() {
-    const GetProcAddress find = findGetProcAddress();
-    if (find == nullptr) return;
-    isLoaded = true;
-    const auto load = [&](auto& function, const char* name) {
-        function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(find(name));
-        isLoaded = isLoaded && function != nullptr;
-    };
-    load(getIntegerv, "glGetIntegerv");
-    load(getError, "glGetError");
-    load(isEnabled, "glIsEnabled");
-    load(enable, "glEnable");
-    load(disable, "glDisable");
-    load(pixelStorei, "glPixelStorei");
-    load(readPixels, "glReadPixels");
-    load(genFramebuffers, "glGenFramebuffers");
-    load(deleteFramebuffers, "glDeleteFramebuffers");
-    load(bindFramebuffer, "glBindFramebuffer");
-    load(framebufferRenderbuffer, "glFramebufferRenderbuffer");
-    load(checkFramebufferStatus, "glCheckFramebufferStatus");
-    load(blitFramebuffer, "glBlitFramebuffer");
-    load(getAttachmentParameter, "glGetFramebufferAttachmentParameteriv");
-    load(genRenderbuffers, "glGenRenderbuffers");
-    load(deleteRenderbuffers, "glDeleteRenderbuffers");
-    load(bindRenderbuffer, "glBindRenderbuffer");
-    load(renderbufferStorage, "glRenderbufferStorage");
-    load(genBuffers, "glGenBuffers");
-    load(deleteBuffers, "glDeleteBuffers");
-    load(bindBuffer, "glBindBuffer");
-    load(bufferData, "glBufferData");
-    load(getBufferSubData, "glGetBufferSubData");
-    load(fenceSync, "glFenceSync");
-    load(clientWaitSync, "glClientWaitSync");
-    load(deleteSync, "glDeleteSync");
-}
 
 DepthFormat DepthReader::Gl::boundFormat() const {
     const bool isWindow = get(GL_DRAW_FRAMEBUFFER_BINDING) == 0;
@@ -414,7 +279,7 @@ bool DepthReader::begin(const Ogre::Viewport& viewport, std::size_t columns, std
     if (!mGl) mGl = std::make_unique<Gl>();
     if (!mGl->isLoaded) return false;
     const Gl& gl = *mGl;
-    const KeptState kept(gl);
+    const KeptGlState kept(gl);
     bool isNew = false;
     if (!prepare(viewport, columns, rows, isNew)) return false;
     mIsBroken = false;
@@ -432,14 +297,15 @@ bool DepthReader::begin(const Ogre::Viewport& viewport, std::size_t columns, std
     // Errors are asked for once alone: that may wait for the driver.
     while (isNew && gl.getError() != GL_NO_ERROR) {
     }
-    const bool isGathered = gl.gather(kept.target(), static_cast<GLint>(viewport.getActualLeft()),
-                                      bottom, slot.gathered);
-    if (!isGathered || (isNew && gl.getError() != GL_NO_ERROR)) {
+    bool works = gl.gather(kept.target(), static_cast<GLint>(viewport.getActualLeft()), bottom,
+                           slot.gathered);
+    slot.fence = gl.fenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    works = works && slot.fence != nullptr;
+    if (!works || (isNew && gl.getError() != GL_NO_ERROR)) {
         mIsBroken = true;
         release(); // there is no other attempt for such a viewport: what it is like is remembered
         return false;
     }
-    slot.fence = gl.fenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     slot.stage = Slot::Stage::Gathering;
     slot.number = number;
     slot.isReversed = Ogre::Root::getSingleton().getRenderSystem()->isReverseDepthBufferEnabled();
@@ -458,7 +324,7 @@ bool DepthReader::isOver(const Slot& slot) const {
 bool DepthReader::fetch(DepthReading& reading) {
     if (!isReading()) return false;
     const Gl& gl = *mGl;
-    std::optional<KeptState<Gl>> kept;
+    std::optional<KeptGlState> kept;
     const auto enter = [&](Slot& slot, Slot::Stage stage) {
         gl.deleteSync(slot.fence);
         slot.fence = nullptr;

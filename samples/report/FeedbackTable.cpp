@@ -78,7 +78,8 @@ struct PhaseSums {
     double known = 0.0;
     double age = 0.0;
     std::size_t used = 0;
-    std::vector<double> microseconds;
+    std::vector<double> microseconds;    ///< of feedback
+    std::vector<double> fitMicroseconds; ///< of all maps' fits
 };
 
 struct WalkAndCut {
@@ -134,6 +135,7 @@ public:
                                                  mEmulation.visibility(judged.nextMaps, mNextView));
                 }
                 sum.microseconds.push_back(judged.feedback.microseconds);
+                sum.fitMicroseconds.push_back(judged.fitMicroseconds);
                 if (judged.feedback.state != FeedbackState::Used) continue;
                 ++sum.used;
                 sum.known += judged.feedback.known;
@@ -146,6 +148,7 @@ private:
     struct JudgedMaps {
         int frame;
         std::vector<EmulatedMap> maps;
+        double fitMicroseconds;
         FeedbackStatistics feedback;
         std::vector<EmulatedMap> nextMaps; ///< of the frame that follows
     };
@@ -226,7 +229,11 @@ private:
             if (!frames.empty() && frames.back().frame + 1 == frame)
                 frames.back().nextMaps = captured.maps;
             if (isJudged(frame))
-                frames.push_back({frame, captured.maps, feedbackStatistics(mStage.camera()), {}});
+                frames.push_back({frame,
+                                  captured.maps,
+                                  captured.fitMicroseconds,
+                                  feedbackStatistics(mStage.camera()),
+                                  {}});
         }
         return frames;
     }
@@ -259,9 +266,9 @@ void printPhase(Phase phase, const std::vector<FeedbackCandidate>& candidates,
                 const std::vector<std::array<PhaseSums, Phases>>& sums) {
     const auto at = static_cast<std::size_t>(phase);
     fmt::print(
-        "\n{}: {} frames\n{:<12} {:<14} {:>8} {:>22} {:>14} {:>9} {:>6} {:>6} {:>5} {:>10}\n",
+        "\n{}: {} frames\n{:<12} {:<14} {:>8} {:>22} {:>14} {:>9} {:>7} {:>6} {:>6} {:>5} {:>10}\n",
         nameOf(phase), sums.front()[at].errors.size(), "setup", "judged by", "error", "/ view rays",
-        "lost", "flicker", "used", "known", "age", "ms a frame");
+        "lost", "flicker", "fit ms", "used", "known", "age", "ms a frame");
     for (std::size_t c = 0; c < candidates.size(); ++c) {
         const PhaseSums& sum = sums[c][at];
         const GeometricMean ratio = ratioOf(sum, sums[c - c % 3][at]);
@@ -277,6 +284,7 @@ void printPhase(Phase phase, const std::vector<FeedbackCandidate>& candidates,
                                           static_cast<double>(sum.followed));
         else
             fmt::print(" {:>9}", "");
+        fmt::print(" {:>7.3f}", 1e-3 * medianOf(sum.fitMicroseconds));
         if (candidates[c].points == Points::Feedback) {
             const auto used = static_cast<double>(std::max<std::size_t>(sum.used, 1));
             fmt::print(" {:>4.0f} % {:>4.0f} % {:>5.1f} {:>10.3f}",
