@@ -133,8 +133,8 @@ GLuint DepthReader::Gl::makeDepthBuffer(GLsizei bufferWidth, GLsizei bufferHeigh
     return result;
 }
 
-/// A framebuffer with depths alone, while it lives. A framebuffer belongs to one context, and windows
-/// have contexts of their own: so it is made anew each time, unlike all else.
+/// A framebuffer with depths alone, while it lives. A framebuffer belongs to one context, and
+/// windows have contexts of their own: so it is made anew each time, unlike all else.
 class DepthReader::Gl::Framebuffer {
 public:
     Framebuffer(const Gl& gl, GLuint depths) : mGl(gl) {

@@ -30,8 +30,8 @@ constexpr std::uint64_t OldestReading = 8;
 std::size_t wantedColumns = 60;
 std::size_t wantedRows = 27;
 
-/// Adds this thread's CPU time to a sum, in microseconds. A software renderer draws the picture when
-/// its depths are gathered, by other threads.
+/// Adds this thread's CPU time to a sum, in microseconds. A software renderer draws the picture
+/// when its depths are gathered, by other threads.
 class Stopwatch {
 public:
     explicit Stopwatch(double& sum) : mSum(sum) {}

@@ -14,8 +14,8 @@
 namespace Lixel::Samples {
 namespace {
 
-/// At 60 frames a second, in a scene whose shadows reach 100 units: 1.4 m/s of a man, and 30 degrees
-/// a second.
+/// At 60 frames a second, in a scene whose shadows reach 100 units: 1.4 m/s of a man, and 30
+/// degrees a second.
 constexpr float ReachPerFrame = 1.4F / 60.0F / 100.0F;
 constexpr float DegreesPerFrame = 30.0F / 60.0F;
 

@@ -32,7 +32,8 @@ TEST_P(FeedbackByScript, HasThePointsOfTheCubeThatIsDrawn) {
     const Ogre::Camera& camera = *manager.getCamera("");
     EXPECT_EQ(feedbackStatistics(camera).state, FeedbackState::Used)
         << toString(feedbackStatistics(camera).state);
-    // OGRE's cube has sides of 100, and its front is 250 ahead. A depth of 24 bits tells 0.004 there.
+    // OGRE's cube has sides of 100, and its front is 250 ahead. A depth of 24 bits tells 0.004
+    // there.
     const std::vector<VisiblePoint> points = feedbackPoints(camera);
     EXPECT_GT(points.size(), 20U);
     for (const VisiblePoint& point : points) {

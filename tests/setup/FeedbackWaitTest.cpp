@@ -1,5 +1,5 @@
-// Feedback waits for nothing: OpenGL's functions, as they are handed to whoever asks for them, tell how
-// they are called, and play a GPU that is slow.
+// Feedback waits for nothing: OpenGL's functions, as they are handed to whoever asks for them, tell
+// how they are called, and play a GPU that is slow.
 
 #include "TestStage.h"
 

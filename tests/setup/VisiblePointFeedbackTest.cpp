@@ -65,9 +65,9 @@ void expectTruePoints(FeedbackStage& scene, const Ogre::Camera& camera, int widt
         ASSERT_NEAR(y - std::floor(y), 0.5, 1e-3);
         const auto& there = truth.at(static_cast<int>(x), static_cast<int>(y));
         ASSERT_TRUE(there.has_value());
-        // A depth of 24 bits tells z^2 / near / 2^24. It is rounded by half of that when it is stored,
-        // and by up to one near 1 in each of four steps: at vertices, and in a + b x + c y. The ground's
-        // vertices, 100 away, are floats.
+        // A depth of 24 bits tells z^2 / near / 2^24. It is rounded by half of that when it is
+        // stored, and by up to one near 1 in each of four steps: at vertices, and in a + b x + c y.
+        // The ground's vertices, 100 away, are floats.
         const double z = clip.w();
         const double near = static_cast<double>(camera.getNearClipDistance());
         const double error = 1.5 * 4.5 * z * z / near / 16777216.0 + 1e-5;

@@ -24,9 +24,9 @@ struct SeenSurfaces {
 
 /** What an earlier frame showed, by the cells of the picture that is seen now.
 
-    A cell is known where something of that frame is in it, be it a surface or the sky: fits take its
-    points instead of a view ray. The others were uncovered since, or lie beside what was seen. A
-    point that something hides by now counts nevertheless. */
+    A cell is known where something of that frame is in it, be it a surface or the sky: fits take
+    its points instead of a view ray. The others were uncovered since, or lie beside what was seen.
+    A point that something hides by now counts nevertheless. */
 class SeenPicture {
 public:
     struct Point {

@@ -6,6 +6,7 @@
 #include "fit/Trials.h"
 
 #include "fit/geometry/Polygon2.h"
+#include "fit/problem/SeenPicture.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include <Eigen/LU>
 
 #include <iomanip>
+#include <limits>
 #include <numbers>
 
 using namespace Lixel;
@@ -24,6 +26,21 @@ constexpr std::size_t RaysPerScene = 150;
 
 /// Most that two points of one light ray may differ in float, in texels.
 constexpr double FloatTexels = 0.25;
+
+/// What an earlier frame may have shown: points of the scene or of none, some of them not finite.
+SeenSurfaces anythingSeen(const Scene& scene, Dice& dice) {
+    SeenSurfaces seen;
+    const double spread = dice.chance(0.5) ? 1.0 : 10.0;
+    for (std::size_t i = dice.below(1000); i > 0; --i)
+        seen.points.push_back({scene.size * spread * dice.cube(), dice.direction()});
+    for (std::size_t i = dice.below(100); i > 0; --i) {
+        const Vec3 at = scene.size * dice.cube();
+        seen.empty.emplace_back(at.x(), at.y(), at.z(), dice.chance(0.5) ? 0.0 : 1.0);
+    }
+    if (!seen.points.empty() && dice.chance(0.1))
+        seen.points.front().ws.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return seen;
+}
 
 class Contract : public testing::TestWithParam<Trial> {
 protected:
@@ -39,7 +56,13 @@ protected:
             // Every other time with options drawn at random.
             mTrial = dice.chance(0.5) ? drawn(GetParam(), dice) : GetParam();
             RC_LOG() << mTrial.name << "\n";
-            const ShadowFit fit = mTrial.fit(scene.problem(), state);
+            ShadowProblem problem = scene.problem();
+            SeenPicture seen;
+            if (mMayHaveSeen && dice.chance(0.3)) {
+                seen.take(anythingSeen(scene, dice), scene.viewer, scene.size * dice.cube());
+                problem.seen = &seen;
+            }
+            const ShadowFit fit = mTrial.fit(problem, state);
             RC_LOG() << std::setprecision(9) << "reason: " << toString(fit.reason) << "\n";
             if (property(scene, fit, state, dice)) ++checked;
         });
@@ -97,6 +120,8 @@ protected:
 
     /// What this case is tried with.
     Trial mTrial;
+    /// Whether problems may know what an earlier frame showed.
+    bool mMayHaveSeen = true;
 };
 
 void expectInvertible(const Mat4& m) {
@@ -512,6 +537,7 @@ TEST_P(Contract, TheFocusPolygonHoldsTheFocusRegion) {
 
 /// Clause 8.
 TEST_P(Contract, HasNoHiddenUnit) {
+    mMayHaveSeen = false; // the scaled problem would have to have seen the same
     forAnyScene([this](const Scene& scene, const ShadowFit& fit, const FitState&, Dice&) {
         for (const double factor : {1024.0, 1.0 / 1024.0}) {
             const Scene other = scaled(scene, factor);

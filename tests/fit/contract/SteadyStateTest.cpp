@@ -3,6 +3,9 @@
 #include "fit/Problems.h"
 #include "fit/Trials.h"
 
+#include "fit/geometry/LowDiscrepancy.h"
+#include "fit/problem/SeenPicture.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -96,6 +99,28 @@ TEST(SteadyState, AllocatesNothing) {
             EXPECT_EQ(allocationsOf([&] { (void)trial.fit(scene.problem(), state); }), 0U)
                 << trial.name;
         }
+}
+
+TEST(SteadyState, AllocatesNothingForWhatWasSeen) {
+    for (const Trial& trial : trials()) {
+        const Scene scene = sceneOf(LightKind::Directional);
+        SeenSurfaces surfaces;
+        for (std::size_t i = 0; i < 500; ++i) {
+            const Vec2 at = lowDiscrepancy(i);
+            surfaces.points.push_back(
+                {Vec3(40.0 * at.x() - 20.0, -1.0, -40.0 * at.y() - 1.0), Vec3::UnitY()});
+        }
+        FitState state;
+        SeenPicture seen;
+        ShadowProblem problem = scene.problem();
+        problem.seen = &seen;
+        const auto drawFrame = [&] {
+            seen.take(surfaces, scene.viewer, Vec3::Zero());
+            (void)trial.fit(problem, state);
+        };
+        EXPECT_EQ(allocationsOf(drawFrame), 0U) << trial.name;
+        EXPECT_GT(seen.known(), 10U);
+    }
 }
 
 TEST(SteadyState, AllocatesNothingForSeveralMaps) {
