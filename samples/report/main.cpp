@@ -200,8 +200,9 @@ int main(int argc, char** argv) {
                      "are drawn, by setup and lasting_maps, by emulation")
             ->excludes(assignments)
             ->excludes(kinds);
-    app.add_option("--frames", options.frames, "With --motion or --feedback: frames of each motion")
-        ->check(CLI::Range(2, 100000));
+    auto* const frames = app.add_option("--frames", options.frames,
+                                        "With --motion or --feedback: frames of each motion")
+                             ->check(CLI::Range(2, 100000));
     app.add_option("--sample", options.motionScene, "With --motion: one scene alone")
         ->check(CLI::IsMember({"street", "field", "miners-lamp", "model"}))
         ->needs(motion);
@@ -222,6 +223,10 @@ int main(int argc, char** argv) {
     }
     if (!options.jsonFile.empty() && !options.table && !options.motion) {
         fmt::print(stderr, "lixel-report: --json goes with --table or --motion\n");
+        return 2;
+    }
+    if (frames->count() > 0 && !options.motion && !options.feedback) {
+        fmt::print(stderr, "lixel-report: --frames goes with --motion or --feedback\n");
         return 2;
     }
     if (options.motion) return filmMotion(options);

@@ -21,16 +21,17 @@ refuses() {
 
 refuses 105 "--lights" --lights 0
 refuses 105 "--lights" --table --lights 0
-for mode in --table --budgets --best-xpsm --motion; do
+for mode in --table --budgets --best-xpsm --motion --feedback; do
     refuses 108 "--set" $mode --set strength=1
 done
 refuses 2 "--table or --motion" --json cases.json
 refuses 2 "--table or --motion" --budgets --json cases.json
+refuses 2 "--table or --motion" --feedback --json cases.json
 refuses 107 "--table" --size 320x240
 refuses 105 "800x600" --table --size wide
 refuses 2 "there are: field" --kind nowhere
 refuses 2 "there are: field" --table --kind field --kind garden
-refuses 107 "--motion" --table --frames 20
+refuses 2 "--motion or --feedback" --table --frames 20
 refuses 108 "--kind" --motion --kind field
 refuses 1 "'model' goes with --scene" --motion --sample model
 refuses 105 "--frames" --motion --frames 1
