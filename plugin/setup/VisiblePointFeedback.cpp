@@ -118,8 +118,11 @@ private:
     FeedbackStatistics mStatistics;
 };
 
-std::map<const Ogre::Camera*, std::unique_ptr<ViewerListener>>& viewers() {
-    static std::map<const Ogre::Camera*, std::unique_ptr<ViewerListener>> all;
+using Viewers = std::map<const Ogre::Camera*, std::unique_ptr<ViewerListener>>;
+
+/// Never destroyed: at the end of the process OpenGL may be gone before a Root that nobody deleted.
+Viewers& viewers() {
+    static Viewers& all = *new Viewers;
     return all;
 }
 
