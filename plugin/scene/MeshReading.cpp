@@ -28,6 +28,8 @@ constexpr double HullTime = 0.012;
 constexpr double CopyTime = 0.004;
 /// A triangle, each time that it is looked at.
 constexpr double TriangleTime = 0.030;
+/// A triangle that is given to a part.
+constexpr double PartTime = 0.060;
 /// A whole hull, of what is known of its points; a cloud's discs.
 constexpr double BuildTime = 6.0;
 constexpr double DiscsTime = 6.0;
@@ -259,6 +261,8 @@ void CloudReading::restart() {
     mBlock = 0;
     mBuilder = SurfaceCloudBuilder(mDiscs);
     mCloud = {};
+    mBounds.setEmpty();
+    mParts = {};
 }
 
 double CloudReading::timeFor(const Parts& parts) const {
@@ -268,6 +272,7 @@ double CloudReading::timeFor(const Parts& parts) const {
         // Once to measure all, and once more the blocks in which there is a disc.
         const std::size_t again = std::min(part.triangles, mDiscs * BlockSize);
         time += timeForTriangles(part.operation, part.triangles + again);
+        if (mMostParts > 0) time += PartTime * static_cast<double>(part.triangles);
     }
     return time;
 }
@@ -283,6 +288,7 @@ bool CloudReading::read(const Ogre::Mesh&, const Parts& parts, ReadingAllowance&
     if (mStage == Stage::Positions) {
         if (!readPositions(parts, allowance)) return false;
         begin(Stage::Measure);
+        mPartsBuilder.reset(mBounds);
     }
     if (mStage == Stage::Measure) {
         if (!readTriangles(parts, allowance)) return false;
@@ -299,6 +305,8 @@ bool CloudReading::read(const Ogre::Mesh&, const Parts& parts, ReadingAllowance&
     mSums = {};
     mCloud = mBuilder.cloud();
     mBuilder = SurfaceCloudBuilder(mDiscs);
+    mParts = mPartsBuilder.parts();
+    mPartsBuilder = MeshPartsBuilder(mMostParts);
     return true;
 }
 
@@ -313,6 +321,7 @@ bool CloudReading::readPositions(const Parts& parts, ReadingAllowance& allowance
                     mPieces.push_back(std::make_unique_for_overwrite<Eigen::Vector3f[]>(PieceSize));
                 mPieces.back()[mCount % PieceSize] = position.cast<float>();
                 ++mCount;
+                mBounds.extend(position);
             }
         }
     }
@@ -325,7 +334,10 @@ bool CloudReading::readTriangles(const Parts& parts, ReadingAllowance& allowance
         while (mNext < part.triangles) {
             const std::size_t count = std::min(part.triangles - mNext, BlockSize);
             if (mStage == Stage::Measure || !mBuilder.skip(mSums[mBlock])) {
-                if (allowance.take(1, timeForTriangles(part.operation, count)) == 0) return false;
+                double time = timeForTriangles(part.operation, count);
+                if (mStage == Stage::Measure && mMostParts > 0)
+                    time += PartTime * static_cast<double>(count);
+                if (allowance.take(1, time) == 0) return false;
                 Lixel::readTriangles(part.operation, mNext, count, mTriangles);
                 mBytesRead += triangleBytes(part.operation) * count;
                 use(part);
@@ -346,10 +358,12 @@ void CloudReading::use(const Part& part) {
         const Vec3 a = position(first + corners[0]);
         const Vec3 b = position(first + corners[1]);
         const Vec3 c = position(first + corners[2]);
-        if (mStage == Stage::Measure)
-            mBuilder.measure(a, b, c);
-        else
+        if (mStage == Stage::Spread) {
             mBuilder.spread(a, b, c);
+            continue;
+        }
+        mBuilder.measure(a, b, c);
+        if (mMostParts > 0) mPartsBuilder.add(a, b, c);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/geometry/BodyHull.h"
+#include "fit/geometry/MeshParts.h"
 #include "fit/geometry/SurfaceCloud.h"
 #include "scene/ReadingAllowance.h"
 
@@ -114,13 +115,19 @@ private:
     bool mConvex = false;
 };
 
-/// The surface of all triangles. Keeps a copy of all positions until it is done.
+/// The surface of all triangles, and the bounds of parts of them. Keeps a copy of all positions
+/// until it is done.
 class CloudReading final : public MeshReading {
 public:
     /// @param discs of the cloud
-    explicit CloudReading(std::size_t discs) : mDiscs(discs), mBuilder(discs) {}
+    /// @param parts at most, @see MeshPartsBuilder; 0 for none
+    explicit CloudReading(std::size_t discs, std::size_t parts = 0)
+        : mDiscs(discs), mMostParts(parts), mBuilder(discs), mPartsBuilder(parts) {}
 
     const SurfaceCloud& cloud() const { return mCloud; }
+    /// In the mesh's space; every triangle is in one of them.
+    std::span<const Eigen::AlignedBox3f> parts() const { return mParts; }
+    std::size_t mostParts() const { return mMostParts; }
 
 private:
     enum class Stage { Positions, Measure, Spread, Free };
@@ -135,6 +142,7 @@ private:
     Vec3 position(std::size_t index) const;
 
     std::size_t mDiscs = 0;
+    std::size_t mMostParts = 0;
     Stage mStage = Stage::Positions;
     /// Positions of all parts, in pieces: to give back all memory at once would take too long.
     std::vector<std::unique_ptr<Eigen::Vector3f[]>> mPieces;
@@ -147,6 +155,9 @@ private:
     std::size_t mBlock = 0;
     SurfaceCloudBuilder mBuilder;
     SurfaceCloud mCloud;
+    Eigen::AlignedBox3d mBounds;
+    MeshPartsBuilder mPartsBuilder;
+    std::vector<Eigen::AlignedBox3f> mParts;
 };
 
 } // namespace Lixel

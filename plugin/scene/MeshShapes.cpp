@@ -82,6 +82,12 @@ void MeshShapes::Entry::readAnew() {
     hull = {};
     cloud = CloudReading(Discs);
     convex = {};
+    parts.reset();
+}
+
+CloudReading& MeshShapes::Entry::partsReading(std::size_t most) {
+    if (!parts || parts->mostParts() < most) parts = std::make_unique<CloudReading>(most, most);
+    return *parts;
 }
 
 MeshShapes& MeshShapes::shared() {
@@ -144,7 +150,7 @@ void MeshShapes::advance(MeshReading& reading, const Ogre::Mesh& mesh) {
     if (large) mTimeLeftForLarge -= allowance.spent();
 }
 
-void MeshShapes::prepare(const Ogre::MeshPtr& mesh) {
+void MeshShapes::prepare(const Ogre::MeshPtr& mesh, std::size_t parts) {
     if (!mesh->isLoaded() || mesh->hasSkeleton() || mesh->hasVertexAnimation()) return;
     ++mUnrest;
     Entry& entry = find(mesh);
@@ -157,6 +163,7 @@ void MeshShapes::prepare(const Ogre::MeshPtr& mesh) {
     if (mesh->hasManualLodLevel()) return;
     advance(entry.hull, *mesh, all);
     advance(entry.convex, *mesh, all);
+    if (parts > 0) advance(entry.partsReading(parts), *mesh, all);
 }
 
 const SurfaceCloud* MeshShapes::cloudOf(const Ogre::Entity& entity) {
@@ -175,6 +182,17 @@ const BodyHull* MeshShapes::hullOf(const Ogre::Entity& entity) {
     if (mayMoveVertices(entity)) return nullptr;
     advance(entry->hull, *entity.getMesh());
     return reading.isDone() && !reading.hull().empty() ? &reading.hull() : nullptr;
+}
+
+std::optional<KnownParts> MeshShapes::partsOf(const Ogre::Entity& entity, std::size_t most) {
+    Aabb around;
+    if (entity.getMesh()->getNumLodLevels() > 1 || hullOf(entity) == nullptr ||
+        isConvex(entity, around))
+        return std::nullopt;
+    CloudReading& reading = find(entity.getMesh()).partsReading(most);
+    advance(reading, *entity.getMesh());
+    if (!reading.isDone() || reading.parts().size() < LeastParts) return std::nullopt;
+    return KnownParts{&reading.cloud(), reading.parts()};
 }
 
 bool MeshShapes::isConvex(const Ogre::Entity& entity, Aabb& around) {

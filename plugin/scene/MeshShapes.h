@@ -10,6 +10,8 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace Ogre {
@@ -20,8 +22,15 @@ class MovableObject;
 
 namespace Lixel {
 
+/// What a mesh is made of, in its own space.
+struct KnownParts {
+    const SurfaceCloud* cloud = nullptr;
+    /// Each triangle is in one of them.
+    std::span<const Eigen::AlignedBox3f> bounds;
+};
+
 /** The shapes of meshes, as few discs of their surface and as a convex hull, and whether they are
-    convex themselves: read once from their buffers, and kept.
+    convex themselves; and where it is asked for, as many discs and as the bounds of their parts: read once from their buffers, and kept.
 
     Buffers are read when a shape is first asked for, within what a frame has of time for it: a
     large mesh takes several frames, and until then its box has to do. `prepare` reads all at once.
@@ -58,8 +67,11 @@ public:
         @param frame number of the frame that it belongs to */
     void beginPicture(unsigned long frame);
 
-    /// Reads all that may ever be asked of a mesh, at once.
-    void prepare(const Ogre::MeshPtr& mesh);
+    /// A mesh of fewer parts than this is known as well by its hull.
+    static constexpr std::size_t LeastParts = 64;
+
+    /// Reads all that may ever be asked of a mesh, at once. @param parts as of partsOf; 0 for none
+    void prepare(const Ogre::MeshPtr& mesh, std::size_t parts = 0);
 
     /// The surface of an entity, in its own space.
     const SurfaceCloud* cloudOf(const Ogre::Entity& entity);
@@ -69,6 +81,13 @@ public:
         that are not static, bounds that are given larger than the vertices have it, and vertex
         programs of others than Lixel and OGRE's shader generator, which may move them */
     const BodyHull* hullOf(const Ogre::Entity& entity);
+
+    /** The parts of an entity whose hull is known, in its own space, and as many discs: both
+        together take 80 bytes a part.
+        @param most parts, and discs; where others ask for more of the mesh, they all get those
+        @return nothing too where triangles may be others, with levels of detail; for what is known
+        to be convex; and for meshes of fewer than LeastParts parts */
+    std::optional<KnownParts> partsOf(const Ogre::Entity& entity, std::size_t most);
 
     /** Whether an entity is known to be convex: @see BodyShapes::isConvex
 
@@ -96,7 +115,10 @@ private:
         HullReading hull;
         CloudReading cloud{Discs};
         ConvexReading convex;
+        /// None before it is asked for.
+        std::unique_ptr<CloudReading> parts;
 
+        CloudReading& partsReading(std::size_t most);
         /// Its shape is not worth reading any more.
         bool isRestless() const;
         void readAnew();
@@ -134,7 +156,9 @@ public:
     void reset(MeshShapes& meshes, const Vec3& wsOrigin);
     /// Adds what the next box of the set is of; it must be there until the next reset.
     void add(const Ogre::MovableObject& object) { mObjects.push_back(&object); }
-    /// What was added.
+    /// The next box is of a part of an object: it has no other shape than that.
+    void addPart() { mObjects.push_back(nullptr); }
+    /// What was added, null for parts.
     std::span<const Ogre::MovableObject* const> objects() const { return mObjects; }
 
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;

@@ -23,6 +23,10 @@ constexpr double Flatness = 1.0 / 32.0;
 /// little but it.
 constexpr double NearRadii = 1.5;
 
+/// A mesh that reaches out of the view, whose middle is nearer to the viewer than this many of its
+/// radii, fills much of the picture, and little of its hull may be in it.
+constexpr double PartsRadii = 3.0;
+
 /// How many objects ahead memory is asked for: the list of an entity's parts, then its first part.
 constexpr std::size_t ListsAhead = 12;
 constexpr std::size_t PartsAhead = 6;
@@ -51,11 +55,17 @@ bool needsSurface(const Aabb& box) {
 } // namespace
 
 void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport, double shadowDistance,
-                  double margin) {
+                  double margin, std::size_t parts) {
     mMeshes.beginPicture(Ogre::Root::getSingleton().getNextFrameNumber());
     mRules = SceneRules(viewer, viewport);
     mReceivers.clear();
     mSurfaces.clear();
+    mReceiverObjects.clear();
+    mVisiblePoints.clear();
+    mWholes.clear();
+    mSurfacesOfWholes.clear();
+    mSurfacesOfParts.clear();
+    mMostParts = parts;
     mLower.setConstant(std::numeric_limits<double>::infinity());
     mUpper = -mLower;
     mUnboundedName.clear();
@@ -83,6 +93,8 @@ void Survey::take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport, do
             visit(found[i]);
         }
     }
+    if (!mSurfacesOfParts.empty())
+        traceView(mViewer, mWholes, mSurfacesOfWholes, mSurfacesOfParts, mSampling, mVisiblePoints);
 }
 
 void Survey::forgetObjects() const {
@@ -123,18 +135,21 @@ void Survey::visitKnown(const NodeWalk::Object& found) {
 }
 
 void Survey::addReceiver(const Ogre::MovableObject& object, const Aabb& box) {
+    mLower = mLower.cwiseMin(box.centre - box.halfExtents);
+    mUpper = mUpper.cwiseMax(box.centre + box.halfExtents);
+    if (mMostParts > 0 && addParts(object, box)) return mReceiverObjects.push_back(&object);
     const std::size_t index = mReceivers.size();
     const std::size_t unbounded = mReceivers.unbounded();
     mReceivers.add(box);
+    if (mMostParts > 0) mWholes.add(box);
     // A box may be finite and too large to have bounds.
     if (mReceivers.unbounded() > unbounded && mUnboundedName.empty())
         mUnboundedName = object.getName();
     if (mReceivers.size() > index) {
         mReceiverShapes.add(object);
+        mReceiverObjects.push_back(&object);
         if (needsSurface(box)) addSurface(object, index);
     }
-    mLower = mLower.cwiseMin(box.centre - box.halfExtents);
-    mUpper = mUpper.cwiseMax(box.centre + box.halfExtents);
 }
 
 void Survey::addSurface(const Ogre::MovableObject& object, std::size_t receiver) {
@@ -143,6 +158,33 @@ void Survey::addSurface(const Ogre::MovableObject& object, std::size_t receiver)
     if (cloud == nullptr) return;
     mSurfaces.push_back(
         {receiver, cloud, relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin)});
+    if (mMostParts == 0) return;
+    mSurfacesOfWholes.push_back(mSurfaces.back());
+    mSurfacesOfWholes.back().receiver = mWholes.size() - 1;
+}
+
+bool Survey::addParts(const Ogre::MovableObject& object, const Aabb& box) {
+    if (!(box.centre.norm() < PartsRadii * box.halfExtents.norm()) ||
+        mView.classify(box) != ConvexVolume::Side::Straddles)
+        return false;
+    const auto* const entity = dynamic_cast<const Ogre::Entity*>(&object);
+    if (entity == nullptr) return false;
+    const std::optional<KnownParts> parts = mMeshes.partsOf(*entity, mMostParts);
+    if (!parts) return false;
+    const Transform3 wsFromMesh =
+        relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin);
+    if (!wsFromMesh.matrix().allFinite()) return false;
+    const Mat3 reach = wsFromMesh.linear().cwiseAbs();
+    for (const Eigen::AlignedBox3f& part : parts->bounds) {
+        const Aabb placed{wsFromMesh * part.center().cast<double>(),
+                          reach * (part.sizes().cast<double>() / 2.0)};
+        if (mView.classify(placed) == ConvexVolume::Side::Outside) continue;
+        const std::size_t before = mReceivers.size();
+        mReceivers.add(placed);
+        if (mReceivers.size() > before) mReceiverShapes.addPart();
+    }
+    mSurfacesOfParts.push_back({0, parts->cloud, wsFromMesh});
+    return true;
 }
 
 } // namespace Lixel

@@ -2,6 +2,7 @@
 
 #include "fit/geometry/ConvexVolume.h"
 #include "fit/problem/ShadowProblem.h"
+#include "fit/sampling/ViewSamples.h"
 #include "scene/MeshShapes.h"
 #include "scene/NodeWalk.h"
 #include "scene/SceneRules.h"
@@ -33,6 +34,10 @@ namespace Lixel {
     in pixels, or because a listener of the object says so, counts nevertheless: the map is then a
     little larger than it need be.
 
+    Where it is asked for, a large mesh that reaches out of the view is known in parts: each that
+    may be in view is a receiver of its own, and what the viewer sees is found once, for all lights
+    and maps.
+
     Boxes of objects that OGRE itself moves later in the frame (auto-tracking nodes, instance
     batches moved by nodes) are last frame's.
 
@@ -51,8 +56,9 @@ public:
     /// Surveys the scene of `viewer`, as seen through `viewport`.
     /// @param shadowDistance as ShadowViewer::shadowDistance: receivers beyond are left out
     /// @param margin share by which the view is widened: for maps that are to last
+    /// @param parts that a mesh is known in, at most; 0: as a whole
     void take(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
-              double shadowDistance = 0.0, double margin = 0.0);
+              double shadowDistance = 0.0, double margin = 0.0, std::size_t parts = 0);
 
     /// Has searches with this survey read objects again: call whenever somebody else has had a turn
     /// who may have changed them.
@@ -65,13 +71,13 @@ public:
     const BoxSet& receivers() const { return mReceivers; }
     /// Their hulls. They read the objects: good until one is moved or destroyed.
     const BodyShapes& receiverShapes() const { return mReceiverShapes; }
-    /// The receivers that have bounds.
-    std::span<const Ogre::MovableObject* const> receiverObjects() const {
-        return mReceiverShapes.objects();
-    }
+    /// The receivers that have bounds, each once.
+    std::span<const Ogre::MovableObject* const> receiverObjects() const { return mReceiverObjects; }
     /** Surfaces of those receivers whose boxes say too little: that the viewer stands in, or near.
         They point into the survey, and hold until its next one. */
     const std::vector<KnownSurface>& surfaces() const { return mSurfaces; }
+    /// What the viewer sees of the receivers, where any of them is known in parts; else nothing.
+    const std::vector<VisiblePoint>& visiblePoints() const { return mVisiblePoints; }
     /// The box around all receivers that have bounds; without one it is of no meaning.
     Aabb receiverBounds() const { return {(mLower + mUpper) / 2.0, (mUpper - mLower) / 2.0}; }
     /// Name of an object without bounds that casts or receives; empty if there is none.
@@ -89,6 +95,8 @@ private:
     void visitKnown(const NodeWalk::Object& found);
     void addReceiver(const Ogre::MovableObject& object, const Aabb& box);
     void addSurface(const Ogre::MovableObject& object, std::size_t receiver);
+    /// Adds the parts in view of an object that is known in parts. @return whether it is
+    bool addParts(const Ogre::MovableObject& object, const Aabb& box);
 
     SceneRules mRules;
     BareParts mBareParts;
@@ -97,7 +105,9 @@ private:
     BoxSet mReceivers;
     ObjectShapes mReceiverShapes;
     MeshShapes& mMeshes;
+    std::vector<const Ogre::MovableObject*> mReceiverObjects;
     std::vector<KnownSurface> mSurfaces;
+    std::vector<VisiblePoint> mVisiblePoints;
     Vec3 mLower = Vec3::Zero();
     Vec3 mUpper = Vec3::Zero();
     std::string mUnboundedName;
@@ -107,6 +117,12 @@ private:
     ConvexVolume mView;
     NodeWalk mWalk;
     NodeStore* mStore = nullptr;
+    std::size_t mMostParts = 0;
+    /// The receivers that are no parts, and the surfaces of those that are.
+    BoxSet mWholes;
+    std::vector<KnownSurface> mSurfacesOfWholes;
+    std::vector<KnownSurface> mSurfacesOfParts;
+    SampleScratch mSampling;
 };
 
 } // namespace Lixel

@@ -16,17 +16,17 @@ namespace {
 class CachedSurvey : public SceneManagerListener {
 public:
     const TimedSurvey& get(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
-                           double distance, double margin) {
+                           double distance, double margin, std::size_t parts) {
         const unsigned long frame = Ogre::Root::getSingleton().getNextFrameNumber();
         if (mCamera == &viewer && mViewport == &viewport && mFrame == frame &&
-            reaches(distance, margin)) {
+            reaches(distance, margin) && parts <= mParts) {
             mTimed.microseconds = 0.0;
             // A map was drawn meanwhile, to listeners of the application's.
             mTimed.survey.forgetObjects();
             return mTimed;
         }
         const auto begin = std::chrono::steady_clock::now();
-        mTimed.survey.take(viewer, viewport, distance, margin);
+        mTimed.survey.take(viewer, viewport, distance, margin, parts);
         const std::chrono::duration<double, std::micro> passed =
             std::chrono::steady_clock::now() - begin;
         mTimed.microseconds = passed.count();
@@ -35,6 +35,7 @@ public:
         mFrame = frame;
         mDistance = distance;
         mMargin = margin;
+        mParts = parts;
         return mTimed;
     }
 
@@ -53,6 +54,7 @@ private:
     /// 0: to the viewer's far plane.
     double mDistance = 0.0;
     double mMargin = 0.0;
+    std::size_t mParts = 0;
 };
 
 PerScene<CachedSurvey>& cache() {
@@ -63,10 +65,10 @@ PerScene<CachedSurvey>& cache() {
 } // namespace
 
 const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
-                             double shadowDistance, double margin) {
+                             double shadowDistance, double margin, std::size_t parts) {
     return cache()
         .of(*viewer.getSceneManager())
-        .listener.get(viewer, viewport, shadowDistance, margin);
+        .listener.get(viewer, viewport, shadowDistance, margin, parts);
 }
 
 void endSurvey(Ogre::SceneManager& sceneManager) {

@@ -17,14 +17,16 @@ struct TimedSurvey {
     updated its shadow textures, or another camera or frame begins. Neither frame number nor camera
     alone would do: a camera can be drawn twice a frame, into two targets, with moved objects. A
     light whose shadows reach farther than those of the ones before it has it taken again, and so
-    has one whose maps have a wider margin.
+    has one whose maps have a wider margin, or that wants meshes in more parts.
 
     @param shadowDistance as ShadowViewer::shadowDistance; the survey reaches as far, or farther
     @param margin as Survey::take; the survey is as wide, or wider
+    @param parts as Survey::take; the survey has as many, or more
     @return a reference that holds until the next call for the same scene manager.
 */
 LIXEL_API const TimedSurvey& surveyFor(const Ogre::Camera& viewer, const Ogre::Viewport& viewport,
-                                       double shadowDistance, double margin = 0.0);
+                                       double shadowDistance, double margin = 0.0,
+                                       std::size_t parts = 0);
 
 /// Ends a scene manager's survey, for requests outside of a preparation: nothing tells when objects
 /// move or go after them.

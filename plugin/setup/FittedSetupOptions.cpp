@@ -40,6 +40,10 @@ constexpr std::array DeclaredCommon{
         "feedback", "whether maps are judged by what the frame before showed, whose depths are "
                     "read back without waiting for the GPU, instead of by a few view rays: XPSM, "
                     "Optimal and cascades, with OpenGL"),
+    option<&CommonOptions::meshParts>(
+        "mesh_parts", between(0.0, 65536.0), "",
+        "parts in which a large mesh is known that reaches out of the view, at most, such as a "
+        "terrain with all that grows on it; 0: as a whole, which takes less time"),
 };
 
 void addOptions(std::span<const Option> declared, void* options, Fingerprint& settings) {
@@ -99,6 +103,13 @@ void FittedShadowCameraSetup::setDepthBias(Ogre::Real worldUnits) {
 
 void FittedShadowCameraSetup::setLastingMaps(Ogre::Real share) {
     setCommon(&CommonOptions::lastingMaps, share);
+}
+
+void FittedShadowCameraSetup::setMeshParts(int parts) {
+    CommonOptions options = mCommon;
+    options.meshParts = parts;
+    checkOptions(CommonOptions::declared(), &options);
+    mCommon = options;
 }
 
 void FittedShadowCameraSetup::setVisiblePoints(const std::vector<VisiblePoint>& wsPoints) {

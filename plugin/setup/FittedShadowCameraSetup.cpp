@@ -248,15 +248,18 @@ void FittedShadowCameraSetup::prepareMap(const Request& request, const ShadowTar
     // Whoever proves takes nothing for granted: what was read of objects is forgotten.
     if (iteration == 0 && store != nullptr && isProofMode()) store->beginReading({});
     const TimedSurvey& timed =
-        surveyFor(viewer, viewport, light.getShadowFarDistance(), widestMargin(mCommon));
+        surveyFor(viewer, viewport, light.getShadowFarDistance(), widestMargin(mCommon),
+                  mCommon.meshHulls ? static_cast<std::size_t>(mCommon.meshParts) : 0);
     const Survey& survey = timed.survey;
     ShadowProblem problem = describe(request, survey, memory);
     const auto searchBegin = Clock::now();
     if (iteration == 0) findCasters(problem, survey, memory);
     const double searchTime = iteration == 0 ? since(searchBegin) : 0.0;
-    problem.visiblePoints = memory.visiblePoints;
     if (mCommon.feedback && memory.visiblePoints.empty())
         problem.seen = feedbackFor(viewer, survey.viewer(), survey.wsOrigin()).seen;
+    const bool isSeen = problem.seen != nullptr && problem.seen->known() > 0;
+    problem.visiblePoints =
+        memory.visiblePoints.empty() && !isSeen ? survey.visiblePoints() : memory.visiblePoints;
     problem.casters = memory.casters;
 
     const auto fitBegin = Clock::now();

@@ -83,6 +83,18 @@ struct CommonOptions {
         used nevertheless. Needs OpenGL and a viewport with a depth buffer; setVisiblePoints goes
         first. @see feedbackStatistics */
     bool feedback = false;
+    /** In how many parts, at most, a large mesh is known that reaches out of the view, such as a
+        terrain with all that grows on it in one mesh: maps are fitted to the parts in view, and view
+        rays meet what is there instead of the mesh's box. 0: each mesh is known as a whole; 1024 is
+        a good number.
+
+        For meshes that have a hull (meshHulls, without which there are no parts), are not convex,
+        and have no levels of detail. Parts are found once for each viewer, for all lights and maps:
+        other lights' setups may get them too, so that where buffers are rewritten in place none
+        may ask for them. Reading them takes a mesh some frames, and keeps 80
+        bytes a part.
+        @see prepareMesh */
+    int meshParts = 0;
 
     LIXEL_API static std::span<const Option> declared();
 };
@@ -166,6 +178,11 @@ public:
     /// @see CommonOptions::feedback
     void setFeedback(bool use) { mCommon.feedback = use; }
     bool getFeedback() const { return mCommon.feedback; }
+
+    /// @see CommonOptions::meshParts
+    /// @throws Ogre::InvalidParametersException unless 0 <= parts <= 65536.
+    void setMeshParts(int parts);
+    int getMeshParts() const { return mCommon.meshParts; }
 
     /** What the viewer sees of the receivers, where the application knows it better than a few view
         rays against boxes and meshes do: points spread evenly over the picture, in world

@@ -7,11 +7,11 @@
 
 namespace Lixel {
 
-void prepareMesh(const Ogre::MeshPtr& mesh) {
+void prepareMesh(const Ogre::MeshPtr& mesh, std::size_t parts) {
     if (!mesh)
         OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS, "mesh: there is none", "prepareMesh");
     mesh->load();
-    MeshShapes::shared().prepare(mesh);
+    MeshShapes::shared().prepare(mesh, parts);
 }
 
 void setMeshReadingTime(Ogre::Real microseconds) {

@@ -20,11 +20,13 @@ namespace Lixel {
     this while a scene is loaded, for large meshes that should have their best map in the first
     frame: it takes about 0.1 s for a million vertices.
 
+    @param parts that setups want of it, @see CommonOptions::meshParts; 0 for none
+
     The mesh is loaded if it is not yet. A mesh whose vertices move has no shape, and nothing is
     read. What is loaded anew later, or gets other bounds, has to be prepared anew.
     @throws Ogre::InvalidParametersException for a null pointer; what loading throws
 */
-LIXEL_API void prepareMesh(const Ogre::MeshPtr& mesh);
+LIXEL_API void prepareMesh(const Ogre::MeshPtr& mesh, std::size_t parts = 0);
 
 /** How long setups may read meshes in each frame, in microseconds, from the next frame on.
 

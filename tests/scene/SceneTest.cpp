@@ -60,12 +60,12 @@ Ogre::Entity* SceneTest::addCube(const Ogre::Vector3& position, float halfExtent
     return cube;
 }
 
-const Survey& SceneTest::takeSurvey() {
+const Survey& SceneTest::takeSurvey(std::size_t parts) {
     Ogre::FrameEvent event{};
     mRoot._fireFrameRenderingQueued(
         event); // the one before has ended: this one's number is another
     mManager->_updateSceneGraph(mCamera);
-    mSurvey.take(*mCamera, *mViewport);
+    mSurvey.take(*mCamera, *mViewport, 0.0, 0.0, parts);
     return mSurvey;
 }
 

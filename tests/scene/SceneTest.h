@@ -39,7 +39,8 @@ protected:
 
     /// Begins another frame, brings boxes and positions up to date, as OGRE does before it prepares
     /// shadow textures, and surveys what the viewer sees.
-    const Survey& takeSurvey();
+    /// @param parts as Survey::take
+    const Survey& takeSurvey(std::size_t parts = 0);
     /// The casters of the scene surveyed.
     const BoxSet& allCasters() { return mSearch.findAll(mSurvey); }
 

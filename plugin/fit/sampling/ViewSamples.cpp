@@ -247,9 +247,8 @@ void visitSpread(std::size_t count, const Visit& visit) {
     }
 }
 
-/// Places the discs of known surfaces in the world.
+/// Adds the discs of known surfaces in the world.
 void placeDiscs(std::span<const KnownSurface> surfaces, std::vector<Surfel>& discs) {
-    discs.clear();
     for (const KnownSurface& surface : surfaces) {
         const Mat3 linear = surface.wsFromCloud.linear();
         // Normals turn with the inverse transpose; discs are as large as the body's volume scales.
@@ -270,6 +269,7 @@ void traceReceivers(const ShadowProblem& problem, const LightImage& image,
         withDepthAhead(problem.viewer.clipFromView) * problem.viewer.viewFromWorld;
     const SeenPicture* const seen = problem.seen;
     const bool traces = seen == nullptr || seen->known() < PictureCells::Count;
+    scratch.discs.clear();
     if (traces) placeDiscs(problem.surfaces, scratch.discs);
     // What is in view but not lit, or in another map's part, hides what is: a directional light
     // without parts has neither.
@@ -308,6 +308,24 @@ void traceReceivers(const ShadowProblem& problem, const LightImage& image,
 }
 
 } // namespace
+
+void traceView(const ShadowViewer& viewer, const BoxSet& boxes,
+               std::span<const KnownSurface> surfaces, std::span<const KnownSurface> others,
+               SampleScratch& scratch, std::vector<VisiblePoint>& points) {
+    const Mat4 clipFromWorld = withDepthAhead(viewer.clipFromView) * viewer.viewFromWorld;
+    scratch.discs.clear();
+    placeDiscs(surfaces, scratch.discs);
+    placeDiscs(others, scratch.discs);
+    points.clear();
+    for (std::size_t round = 0; round < ViewRays::Rounds; ++round) {
+        scratch.rays.cast(clipFromWorld, round);
+        scratch.rays.meet(boxes, surfaces);
+        scratch.rays.meet(scratch.discs);
+        for (std::size_t i = 0; i < ViewRays::Count; ++i)
+            points.push_back(scratch.rays.hit(i) ? scratch.rays.point(i)
+                                                 : VisiblePoint{Vec3::Zero(), Vec3::Zero()});
+    }
+}
 
 void sampleView(const ShadowProblem& problem, const LightImage& image, const Polygon2& liHull,
                 const BoxSet& receiversInView, const SampleCount& count, SampleScratch& scratch,

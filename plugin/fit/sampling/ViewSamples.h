@@ -34,6 +34,19 @@ struct SampleScratch {
     std::vector<Surfel> discs;
 };
 
+/** What the viewer sees of some receivers, for all lights at once: a point for each view ray of
+    every round, in the order of rays, and one without a normal, which is no sample, for a ray that
+    meets nothing. So a point that comes or goes leaves all others where they are.
+
+    @param boxes of receivers
+    @param surfaces that are met instead of a box, by ascending index of the boxes
+    @param others surfaces of receivers that have no box among these
+    @param[out] points to be a problem's visible points; overwritten
+*/
+void traceView(const ShadowViewer& viewer, const BoxSet& boxes,
+               std::span<const KnownSurface> surfaces, std::span<const KnownSurface> others,
+               SampleScratch& scratch, std::vector<VisiblePoint>& points);
+
 /** Samples what the viewer sees of the receivers and the light shines on, within the focus region.
 
     The visible points are the problem's own where it has any; otherwise view rays, spread evenly

@@ -1,9 +1,12 @@
 // How many samples of the view there are, and how they come and go.
 #include "fit/Problems.h"
 
+#include "fit/core/FitState.h"
 #include "fit/problem/SeenPicture.h"
+#include "fit/technique/Uniform.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 
@@ -133,4 +136,74 @@ TEST(ViewSamples, OfAPictureThatKnowsNothingAreThoseOfRays) {
         EXPECT_EQ(samples[i].liPoint, rays[i].liPoint);
         EXPECT_EQ(samples[i].vsDepth, rays[i].vsDepth);
     }
+}
+
+TEST(TraceView, GivesAPointOrNoneForEachRay) {
+    Scene scene;
+    scene.viewer.clipFromView = perspective(1.0, 1.5, 0.1, 100.0);
+    scene.receivers.add({Vec3(0.0, 0.0, -20.0), Vec3(5.0, 5.0, 0.0)});
+    SampleScratch scratch;
+    std::vector<VisiblePoint> points;
+    traceView(scene.viewer, scene.receivers, {}, {}, scratch, points);
+    ASSERT_EQ(points.size(), ViewRays::Rounds * ViewRays::Count);
+    const auto met = [&] {
+        return static_cast<double>(std::ranges::count_if(
+            points, [](const VisiblePoint& point) { return !point.wsNormal.isZero(0.0); }));
+    };
+    // As many as the wall fills of the picture.
+    const double tangent = std::tan(0.5);
+    const double share = 0.25 / tangent * 0.25 / (1.5 * tangent);
+    EXPECT_NEAR(met() / static_cast<double>(points.size()), share, 0.03);
+    for (const VisiblePoint& point : points) {
+        if (point.wsNormal.isZero(0.0)) continue;
+        EXPECT_NEAR(point.ws.z(), -20.0, 1e-9);
+        EXPECT_EQ(point.wsNormal, Vec3::UnitZ());
+    }
+
+    // A surface is met instead of its box, and one that has no box too.
+    SurfaceCloud cloud;
+    cloud.surfels.push_back({Vec3::Zero(), Vec3::UnitZ(), 1.0});
+    KnownSurface surface{.receiver = 0, .cloud = &cloud};
+    surface.wsFromCloud.translation() = Vec3(0.0, 0.0, -10.0);
+    const double ofBox = met();
+    traceView(scene.viewer, scene.receivers, {&surface, 1}, {}, scratch, points);
+    EXPECT_GT(met(), 0.0);
+    EXPECT_LT(met(), ofBox);
+    for (const VisiblePoint& point : points) {
+        if (!point.wsNormal.isZero(0.0)) {
+            EXPECT_NEAR(point.ws.z(), -10.0, 1e-9);
+        }
+    }
+    traceView(scene.viewer, scene.receivers, {}, {&surface, 1}, scratch, points);
+    EXPECT_EQ(met(), ofBox);
+    EXPECT_TRUE(std::ranges::any_of(
+        points, [](const VisiblePoint& point) { return std::abs(point.ws.z() + 10.0) < 1e-9; }));
+}
+
+RC_GTEST_PROP(TraceView, SamplesTheSameAsAFitDoes, ()) {
+    // All that both rounds of rays find.
+    const Scene scene = *anyScene();
+    const ShadowProblem problem = scene.problem();
+    FitState state;
+    RC_PRE(fitMap(problem, UniformOptions{}, state).hasMap());
+    const SampleCount all{.most = 1000, .enough = 1000};
+    const std::vector<ViewSample> own = samplesOf(problem, all);
+    SampleScratch scratch;
+    std::vector<VisiblePoint> points;
+    // A fit for a sun asks nothing that is out of view.
+    const bool isSun = problem.light.kind == LightKind::Directional;
+    traceView(problem.viewer, isSun ? state.region.receiversInView : *problem.receivers,
+              problem.surfaces, {}, scratch, points);
+    ShadowProblem given = problem;
+    given.visiblePoints = points;
+    const std::vector<ViewSample> traced = samplesOf(given, all);
+    RC_ASSERT(traced.size() == own.size());
+    double size = 0.0;
+    for (const ViewSample& sample : own)
+        size = std::max(size, sample.liPoint.norm());
+    for (const ViewSample& sample : own)
+        RC_ASSERT(std::ranges::any_of(traced, [&](const ViewSample& other) {
+            return (sample.liPoint - other.liPoint).norm() <= 1e-9 * size &&
+                   sample.ndcFromLi.isApprox(other.ndcFromLi, 1e-6);
+        }));
 }
