@@ -55,6 +55,18 @@ TEST(Options, MeshHulls) {
     EXPECT_FALSE(setup.getMeshHulls());
 }
 
+TEST(Options, MeshParts) {
+    UniformShadowCameraSetup setup;
+    EXPECT_EQ(setup.getMeshParts(), 0);
+    setup.setMeshParts(1024);
+    EXPECT_EQ(setup.getMeshParts(), 1024);
+    for (const int wrong : {-1, 65537})
+        EXPECT_NE(refusal([&] { setup.setMeshParts(wrong); }).find("mesh_parts"),
+                  std::string::npos);
+    EXPECT_EQ(setup.getMeshParts(), 1024);
+    EXPECT_EQ(setup.getParameter("mesh_parts"), "1024");
+}
+
 TEST(Options, VisiblePoints) {
     OptimalShadowCameraSetup setup;
     EXPECT_TRUE(setup.getVisiblePoints().empty());

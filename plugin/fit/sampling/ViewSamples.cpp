@@ -247,16 +247,30 @@ void visitSpread(std::size_t count, const Visit& visit) {
     }
 }
 
-/// Adds the discs of known surfaces in the world.
-void placeDiscs(std::span<const KnownSurface> surfaces, std::vector<Surfel>& discs) {
+/// Whether all rays of the view go through view space's origin, where x, y and w of clip space are
+/// 0: as a rule, but not those of an orthographic projection.
+bool isFromOrigin(const ShadowViewer& viewer) {
+    const Mat4& clip = viewer.clipFromView;
+    return clip(0, 3) == 0.0 && clip(1, 3) == 0.0 && clip(3, 3) == 0.0;
+}
+
+/// Adds the discs of known surfaces in the world, except those that turn their backs to the viewer.
+void placeDiscs(std::span<const KnownSurface> surfaces, const ShadowViewer& viewer,
+                std::vector<Surfel>& discs) {
+    if (surfaces.empty()) return;
+    const bool mayFaceAway = isFromOrigin(viewer);
+    const Vec3 wsEye = mayFaceAway ? wsEyeOf(viewer) : Vec3(Vec3::Zero());
     for (const KnownSurface& surface : surfaces) {
         const Mat3 linear = surface.wsFromCloud.linear();
         // Normals turn with the inverse transpose; discs are as large as the body's volume scales.
         const Mat3 turned = linear.inverse().transpose();
         const double scale = std::cbrt(std::abs(linear.determinant()));
-        for (const Surfel& own : surface.cloud->surfels)
-            discs.push_back({surface.wsFromCloud * own.centre,
-                             (turned * own.normal).stableNormalized(), scale * own.radius});
+        for (const Surfel& own : surface.cloud->surfels) {
+            const Vec3 centre = surface.wsFromCloud * own.centre;
+            const Vec3 normal = turned * own.normal;
+            if (mayFaceAway && normal.dot(wsEye - centre) < 0.0) continue;
+            discs.push_back({centre, normal.stableNormalized(), scale * own.radius});
+        }
     }
 }
 
@@ -270,7 +284,7 @@ void traceReceivers(const ShadowProblem& problem, const LightImage& image,
     const SeenPicture* const seen = problem.seen;
     const bool traces = seen == nullptr || seen->known() < PictureCells::Count;
     scratch.discs.clear();
-    if (traces) placeDiscs(problem.surfaces, scratch.discs);
+    if (traces) placeDiscs(problem.surfaces, problem.viewer, scratch.discs);
     // What is in view but not lit, or in another map's part, hides what is: a directional light
     // without parts has neither.
     const bool allLit = image.directional() && problem.part == nullptr && problem.surfaces.empty();
@@ -314,8 +328,8 @@ void traceView(const ShadowViewer& viewer, const BoxSet& boxes,
                SampleScratch& scratch, std::vector<VisiblePoint>& points) {
     const Mat4 clipFromWorld = withDepthAhead(viewer.clipFromView) * viewer.viewFromWorld;
     scratch.discs.clear();
-    placeDiscs(surfaces, scratch.discs);
-    placeDiscs(others, scratch.discs);
+    placeDiscs(surfaces, viewer, scratch.discs);
+    placeDiscs(others, viewer, scratch.discs);
     points.clear();
     for (std::size_t round = 0; round < ViewRays::Rounds; ++round) {
         scratch.rays.cast(clipFromWorld, round);

@@ -2,13 +2,17 @@
 #include "fit/Problems.h"
 
 #include "fit/core/FitState.h"
+#include "fit/focus/ViewVolume.h"
 #include "fit/problem/SeenPicture.h"
 #include "fit/technique/Uniform.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <limits>
 
 using namespace Lixel;
 using namespace Lixel::Test;
@@ -178,6 +182,47 @@ TEST(TraceView, GivesAPointOrNoneForEachRay) {
     EXPECT_EQ(met(), ofBox);
     EXPECT_TRUE(std::ranges::any_of(
         points, [](const VisiblePoint& point) { return std::abs(point.ws.z() + 10.0) < 1e-9; }));
+}
+
+RC_GTEST_PROP(TraceView, MeetsTheFirstDiscThatFacesTheViewer, ()) {
+    const Scene scene = *anyScene();
+    const Mat4 clipFromWorld =
+        withDepthAhead(scene.viewer.clipFromView) * scene.viewer.viewFromWorld;
+    RC_PRE(std::abs(clipFromWorld.determinant()) > 0.0);
+    Dice dice(*anySeed());
+    // Around the middle of the view.
+    const Vec3 middle = eyeOf(scene.viewer) + 5.0 * forwardOf(scene.viewer);
+    SurfaceCloud cloud;
+    for (int i = 0; i < 60; ++i)
+        cloud.surfels.push_back({middle + 4.0 * dice.cube(), dice.direction(), dice.in(0.1, 2.0)});
+    const KnownSurface surface{.receiver = 0, .cloud = &cloud};
+    SampleScratch scratch;
+    std::vector<VisiblePoint> points;
+    traceView(scene.viewer, BoxSet(), {}, {&surface, 1}, scratch, points);
+    const Mat4 worldFromClip = clipFromWorld.inverse();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        scratch.rays.cast(clipFromWorld, i / ViewRays::Count);
+        const Vec2 ndc = scratch.rays.ndc(i % ViewRays::Count);
+        const Vec4 nearPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), -1.0, 1.0);
+        const Vec4 farPoint = worldFromClip * Vec4(ndc.x(), ndc.y(), 1.0, 1.0);
+        const Vec3 origin = nearPoint.hnormalized();
+        const Vec3 direction = farPoint.head<3>() - farPoint.w() * origin;
+        double nearest = std::numeric_limits<double>::infinity();
+        bool isClose = false; // to a disc's rim or plane: rounding decides
+        for (const Surfel& disc : cloud.surfels) {
+            const double towards = -direction.dot(disc.normal);
+            const double t = (origin - disc.centre).dot(disc.normal) / towards;
+            const double across = (origin + t * direction - disc.centre).norm();
+            isClose = isClose || std::abs(across - disc.radius) < 1e-6 ||
+                      std::abs(towards) < 1e-6 * direction.norm();
+            if (towards > 0.0 && t >= 0.0 && across <= disc.radius) nearest = std::min(nearest, t);
+        }
+        if (isClose) continue;
+        RC_ASSERT(points[i].wsNormal.isZero(0.0) == !std::isfinite(nearest));
+        if (!std::isfinite(nearest)) continue;
+        const Vec3 expected = origin + nearest * direction;
+        RC_ASSERT((points[i].ws - expected).norm() < 1e-6);
+    }
 }
 
 RC_GTEST_PROP(TraceView, SamplesTheSameAsAFitDoes, ()) {
