@@ -30,7 +30,8 @@ struct KnownParts {
 };
 
 /** The shapes of meshes, as few discs of their surface and as a convex hull, and whether they are
-    convex themselves; and where it is asked for, as many discs and as the bounds of their parts: read once from their buffers, and kept.
+    convex themselves; where that is asked for, as the bounds of their parts and as more discs too.
+    They are read once from their buffers, and kept.
 
     Buffers are read when a shape is first asked for, within what a frame has of time for it: a
     large mesh takes several frames, and until then its box has to do. `prepare` reads all at once.

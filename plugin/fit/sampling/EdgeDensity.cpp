@@ -9,8 +9,8 @@ namespace {
 /// An edge is added at points as far apart as cells are wide, and at no more than so many.
 constexpr double MostPoints = 16.0;
 
-/// Outlines that go around the focus region so often are believed by half. Among 0, 2 and 8, 2 erred
-/// least over the samples.
+/// Outlines that go around the focus region so often are believed by half. Among 0, 2 and 8, with 2
+/// maps erred least over the samples.
 constexpr double HalfBelieved = 2.0;
 
 double signOf(double x) {

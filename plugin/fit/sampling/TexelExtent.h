@@ -29,7 +29,8 @@ MapSides smallestMap(const double* x, const double* y, std::size_t count);
     evenly over the light image call for the texel's extent there, edges spread evenly over the
     viewer's picture for its extent in pixels; scenes are in between, and this is the mean of the
     geometric means of the two. Extents are Frobenius norms of d(plane) / d(texel): perspective and
-    projection aliasing together. Each sample counts by its weight. Values are only to be compared with those of other warps.
+    projection aliasing together. Each sample counts by its weight. Values are only to be compared
+    with those of other warps.
 */
 class TexelExtent {
 public:
