@@ -176,7 +176,10 @@ void addMemory(const FitMemory& memory, Fingerprint& fingerprint) {
         fingerprint.add(std::uint64_t{vector.has_value()});
         if (vector) addVector(*vector, fingerprint);
     };
-    addMaybe(memory.wsMapAxis);
+    fingerprint.add(std::uint64_t{memory.wsMapAxes.has_value()});
+    if (memory.wsMapAxes)
+        for (const Vec3& axis : *memory.wsMapAxes)
+            addVector(axis, fingerprint);
     fingerprint.add(std::uint64_t{memory.search.has_value()});
     if (const auto& search = memory.search) {
         addVector(search->wsSpread, fingerprint);

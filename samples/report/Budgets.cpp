@@ -72,7 +72,7 @@ protected:
 private:
     static void forget(FitState& state) {
         state.memory.search.reset();
-        state.memory.wsMapAxis.reset();
+        state.memory.wsMapAxes.reset();
     }
     void turnTowards(const ShadowProblem& problem, FitState& state) const {
         ShadowProblem frame = problem;

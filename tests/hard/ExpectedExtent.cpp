@@ -92,7 +92,7 @@ ShadowFit ExtentSetup::fit(const ShadowProblem& problem, FitState& state) const 
     if (!guarded.hasMap() || !literal.hasMap()) return guarded;
     // A rule that only asks what is expected of these warps, about the same centre.
     const auto judge = [&](const WarpContext& context, RuleState memory) {
-        WarpSearch search(context, ViewSamples, memory);
+        WarpSearch search(context, {.most = ViewSamples}, memory);
         mExtent.judged = search.usable();
         if (!mExtent.judged) return WarpChoice{};
         mExtent.guarded = search(search.spread(guarded.liWarp));

@@ -71,8 +71,12 @@ Placement placeWarp(const WarpContext& context, const WarpChoice& choice, FitSta
     const auto place = [&](const Vec2& warp) {
         Polygon2& warped = state.placement.warped;
         result.leastDenominator = warpPolygon(region.liHull, region.liCentre, warp, warped);
-        result.affine = placeRegion(context.problem, context.image, warped, warp,
-                                    context.scale.liReach, state.memory.wsMapAxis);
+        const double liReach = context.scale.liReach;
+        const std::optional<WorldAxes>& wsLast = state.memory.wsMapAxes;
+        result.affine = placeRegion(context.problem, context.image, warped, warp, liReach, wsLast);
+        if (choice.axes)
+            result.affine = placeAlong(context.problem, context.image, warped, warp, liReach,
+                                       *choice.axes, wsLast, result.affine);
         return result.affine.rounding <= GreatestRounding;
     };
     if (place(result.liWarp)) return result;
@@ -103,7 +107,7 @@ Placement placeGiven(const WarpContext& context, const WarpChoice& choice, FitSt
 /// Remembers the map's axes for the next frame.
 void remember(const Placement& placement, FitMemory& memory) {
     if (placement.given) return;
-    memory.wsMapAxis = placement.affine.wsMapAxis;
+    memory.wsMapAxes = placement.affine.wsMapAxes;
     if (placement.affine.turned) ++memory.orientationJumps;
 }
 
@@ -216,6 +220,7 @@ ShadowFit assemble(const WarpContext& context, const Placement& placement, const
     fit.liCentre = region.liCentre;
     fit.liWarp = placement.liWarp;
     fit.mapAngle = placement.affine.mapAngle;
+    fit.mapSkew = placement.affine.mapSkew;
     const Mat3 homography =
         placement.affine.mapFromWarped * warpMatrix(placement.liWarp, region.liCentre);
     setMatrices(context.image, clipFromLight(context.image.directional(), homography, depth.row),

@@ -24,12 +24,18 @@ struct SearchMemory {
     FrameFingerprint fingerprint;
 };
 
+/// A map's axes as directions in the world: light space itself may rotate about the light from one
+/// frame to the next.
+using WorldAxes = std::array<Vec3, 2>;
+
+MapAxes axesFromWorld(const WorldAxes& wsAxes, const LightImage& image);
+WorldAxes axesInWorld(const MapAxes& axes, const LightImage& image);
+
 /// What outlives a frame. A fit without it is as valid; only the choice among equally good maps may
 /// differ.
 struct FitMemory {
-    /// The last map's x axis, as a direction in the world: light space itself may rotate about the
-    /// light from one frame to the next.
-    std::optional<Vec3> wsMapAxis;
+    /// The last map's axes.
+    std::optional<WorldAxes> wsMapAxes;
     std::optional<SearchMemory> search;
     /// Radius of the sphere that a stable map was made for, in world units; 0 before.
     double stableRadius = 0.0;

@@ -27,17 +27,11 @@ constexpr double SameArea = 1e-12;
 /// of 4096: thinner regions are rounding (a caster seen edge-on, a flat receiver).
 constexpr double LeastAspect = 1.0 / 4096.0;
 
-/// A rectangle's x axis, as a direction in the world.
-Vec3 wsAxisOf(const OrientedRectangle& rectangle, const LightImage& image) {
-    return image.lsFromWs().transpose() *
-           Vec3(std::cos(rectangle.angle), std::sin(rectangle.angle), 0.0);
-}
-
 /// The rectangle along the last frame's axis, if there was one.
 std::optional<OrientedRectangle> lastRectangle(const Polygon2& warped, const LightImage& image,
-                                               const std::optional<Vec3>& wsLastAxis) {
-    if (!wsLastAxis) return std::nullopt;
-    const Vec3 axis = image.lsFromDirection(*wsLastAxis);
+                                               const std::optional<WorldAxes>& wsLast) {
+    if (!wsLast) return std::nullopt;
+    const Vec3 axis = image.lsFromDirection(wsLast->front());
     return boundsAt(warped, std::fmod(std::atan2(axis.y(), axis.x()) + 2.0 * std::numbers::pi,
                                       std::numbers::pi / 2.0));
 }
@@ -48,12 +42,12 @@ std::array<Vec2, 2> axesOf(const OrientedRectangle& rectangle) {
     return {x, Vec2(-x.y(), x.x())};
 }
 
-/// Widens the rectangle about its middle where it is too narrow to be more than rounding.
-void widen(OrientedRectangle& rectangle, const Vec2& size, double liReach) {
-    const double longest = (rectangle.max - rectangle.min).maxCoeff();
+/// Widens bounds about their middle where they are too narrow to be more than rounding.
+void widen(Vec2& min, Vec2& max, const Vec2& size, double liReach) {
+    const double longest = (max - min).maxCoeff();
     for (int axis = 0; axis < 2; ++axis) {
-        double& lower = rectangle.min[axis];
-        double& upper = rectangle.max[axis];
+        double& lower = min[axis];
+        double& upper = max[axis];
         const double least = std::max(longest * LeastAspect, size[axis] * LeastTexel * liReach);
         if (upper - lower < least) {
             const double middle = (lower + upper) / 2.0;
@@ -73,20 +67,61 @@ double magnification(const Polygon2& warped, const Vec2& warp, const Vec2& axis)
     return greatest;
 }
 
+/// Bounds of a region along a map's axes.
+struct AxisBounds {
+    std::array<Vec2, 2> axes;
+    Vec2 min;
+    Vec2 max;
+};
+
 /// Texels that rounding of positions moves addresses by at most, along each axis of the map.
 Vec2 roundingTexels(const Polygon2& warped, const Vec2& warp, double liReach,
-                    const OrientedRectangle& rectangle, const Vec2& size) {
-    const std::array<Vec2, 2> axes = axesOf(rectangle);
+                    const AxisBounds& bounds, const Vec2& size) {
     Vec2 result;
     for (int i = 0; i < 2; ++i) {
-        const double texel = (rectangle.max[i] - rectangle.min[i]) / size[i];
-        result[i] = magnification(warped, warp, axes[static_cast<std::size_t>(i)]) *
+        const double texel = (bounds.max[i] - bounds.min[i]) / size[i];
+        result[i] = magnification(warped, warp, bounds.axes[static_cast<std::size_t>(i)]) *
                     PositionRounding * liReach / texel;
     }
     return result;
 }
 
+/// Sets the map: the bounds, without the border, become -1 and 1.
+void setMap(const AxisBounds& bounds, const Vec2& rounding, const ShadowProblem& problem,
+            Affine& affine) {
+    const Vec2 size(problem.mapWidth, problem.mapHeight);
+    affine.border = rounding.array() + leastBorder(problem.filterRadius);
+    const auto& [x, y] = bounds.axes;
+    affine.mapAngle = std::atan2(x.y(), x.x());
+    if (affine.mapAngle < 0.0) affine.mapAngle += std::numbers::pi;
+    if (affine.mapAngle >= std::numbers::pi) affine.mapAngle = 0.0;
+    affine.mapSkew = std::atan2(-x.dot(y), x.x() * y.y() - x.y() * y.x());
+    affine.mapFromWarped.setIdentity();
+    for (int i = 0; i < 2; ++i) {
+        const Vec2& axis = bounds.axes[static_cast<std::size_t>(i)];
+        const double scale =
+            2.0 * (size[i] - 2.0 * affine.border[i]) / size[i] / (bounds.max[i] - bounds.min[i]);
+        affine.mapFromWarped.row(i) << scale * axis.x(), scale * axis.y(),
+            -scale * (bounds.min[i] + bounds.max[i]) / 2.0;
+    }
+}
+
 } // namespace
+
+MapAxes axesFromWorld(const WorldAxes& wsAxes, const LightImage& image) {
+    MapAxes axes{};
+    for (const std::size_t i : {0, 1})
+        axes.normals[i] = image.lsFromDirection(wsAxes[i]).head<2>().stableNormalized();
+    return axes;
+}
+
+WorldAxes axesInWorld(const MapAxes& axes, const LightImage& image) {
+    WorldAxes wsAxes;
+    for (const std::size_t i : {0, 1})
+        wsAxes[i] =
+            image.lsFromWs().transpose() * Vec3(axes.normals[i].x(), axes.normals[i].y(), 0.0);
+    return wsAxes;
+}
 
 double leastBorder(double filterRadius) {
     return filterRadius + 1.0 + RoundingTexels;
@@ -100,23 +135,24 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre) {
 }
 
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
-                   const Vec2& warp, double liReach, const std::optional<Vec3>& wsLastAxis) {
+                   const Vec2& warp, double liReach, const std::optional<WorldAxes>& wsLast) {
     Affine result{};
     const Vec2 size(problem.mapWidth, problem.mapHeight);
     OrientedRectangle rectangle = smallestRectangle(warped);
-    std::optional<OrientedRectangle> last = lastRectangle(warped, image, wsLastAxis);
+    std::optional<OrientedRectangle> last = lastRectangle(warped, image, wsLast);
     // Where the two are the same up to rounding, the one that a fresh state finds is taken. A kept
     // axis stays as it is: nothing may creep while nothing moves.
     if (last && !(last->area() > rectangle.area() * (1.0 + SameArea))) last.reset();
     const bool small = last && last->area() * (1.0 - OrientationGain) <= rectangle.area();
 
     const auto place = [&](OrientedRectangle& placed) {
-        widen(placed, size, liReach);
-        return roundingTexels(warped, warp, liReach, placed, size);
+        widen(placed.min, placed.max, size, liReach);
+        return roundingTexels(warped, warp, liReach, {axesOf(placed), placed.min, placed.max},
+                              size);
     };
     Vec2 rounding = place(rectangle);
     result.rounding = rounding.maxCoeff();
-    result.wsMapAxis = wsAxisOf(rectangle, image);
+    result.wsMapAxes = axesInWorld({axesOf(rectangle)}, image);
     if (last) {
         const Vec2 lastRounding = place(*last);
         // Along other axes a narrow side may have finer texels than the border makes up for.
@@ -124,21 +160,32 @@ Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const 
         if (!result.turned) {
             rectangle = *last;
             rounding = lastRounding;
-            result.wsMapAxis = wsLastAxis;
+            result.wsMapAxes = wsLast;
         }
     }
-    result.border = rounding.array() + leastBorder(problem.filterRadius);
-    result.mapAngle = rectangle.angle;
-    // The rectangle's sides, without the border, become -1 and 1.
-    const std::array<Vec2, 2> axes = axesOf(rectangle);
-    result.mapFromWarped.setIdentity();
+    setMap({axesOf(rectangle), rectangle.min, rectangle.max}, rounding, problem, result);
+    return result;
+}
+
+Affine placeAlong(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
+                  const Vec2& warp, double liReach, const MapAxes& axes,
+                  const std::optional<WorldAxes>& wsLast, const Affine& smallest) {
+    const Vec2 size(problem.mapWidth, problem.mapHeight);
+    AxisBounds bounds{axes.normals, Vec2::Zero(), Vec2::Zero()};
     for (int i = 0; i < 2; ++i) {
-        const Vec2& axis = axes[static_cast<std::size_t>(i)];
-        const double scale = 2.0 * (size[i] - 2.0 * result.border[i]) / size[i] /
-                             (rectangle.max[i] - rectangle.min[i]);
-        result.mapFromWarped.row(i) << scale * axis.x(), scale * axis.y(),
-            -scale * (rectangle.min[i] + rectangle.max[i]) / 2.0;
+        const Vec2& axis = axes.normals[static_cast<std::size_t>(i)];
+        bounds.max[i] = support(warped, axis);
+        bounds.min[i] = -support(warped, -axis);
     }
+    widen(bounds.min, bounds.max, size, liReach);
+    const Vec2 rounding = roundingTexels(warped, warp, liReach, bounds, size);
+    if (!(rounding.maxCoeff() <= GreatestBorderRounding)) return smallest;
+    Affine result{};
+    // The warp does not depend on the axes.
+    result.rounding = smallest.rounding;
+    result.wsMapAxes = axes.kept ? wsLast : axesInWorld(axes, image);
+    result.turned = wsLast && !axes.kept;
+    setMap(bounds, rounding, problem, result);
     return result;
 }
 

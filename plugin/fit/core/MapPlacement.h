@@ -29,11 +29,12 @@ struct Affine {
     Mat3 mapFromWarped;
     Vec2 border;
     double mapAngle;
+    double mapSkew;
     /// Texels that rounding of positions moves addresses by at most, in the smallest rectangle.
     double rounding = 0.0;
-    /// The map's x axis, as a direction in the world, for the next frame.
-    std::optional<Vec3> wsMapAxis;
-    /// Whether the last frame's axis was given up.
+    /// The map's axes, for the next frame.
+    std::optional<WorldAxes> wsMapAxes;
+    /// Whether the last frame's axes were given up.
     bool turned = false;
 };
 
@@ -45,10 +46,19 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre);
 
     @param warped the focus region's hull after the warp
     @param liReach the distance over which positions are measured, as a length in the light image
-    @param wsLastAxis the last map's x axis, as a direction in the world
+    @param wsLast the last map's axes, of which the first counts
 */
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
-                   const Vec2& warp, double liReach, const std::optional<Vec3>& wsLastAxis);
+                   const Vec2& warp, double liReach, const std::optional<WorldAxes>& wsLast);
+
+/** The same along given axes: a parallelogram of the warped light image.
+
+    @param smallest what placeRegion gives: it is returned where texels along the axes are finer than
+    a border makes up for
+*/
+Affine placeAlong(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
+                  const Vec2& warp, double liReach, const MapAxes& axes,
+                  const std::optional<WorldAxes>& wsLast, const Affine& smallest);
 
 /// Splits a map that is given whole into its warp, read from row w, and the affine rest.
 /// @param[out] warp of its row w

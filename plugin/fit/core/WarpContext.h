@@ -81,6 +81,8 @@ struct RuleState {
 struct WarpChoice {
     Vec2 liWarp = Vec2::Zero();
     FitReason reason = FitReason::None;
+    /// The map's axes in the warped light image, where they are not to be the smallest rectangle's.
+    std::optional<MapAxes> axes = std::nullopt;
     /// Rows x, y and w of the whole map, acting on ℓ, of positive determinant: instead of a warp,
     /// by a rule that wants the map to be this and no other. It is neither made safe nor fitted;
     /// the focus region is cut to what it serves, and where nothing is left the map is uniform.

@@ -97,9 +97,12 @@ struct ShadowFit {
     /// 1 + liWarp . (q - liCentre), positive all over the focus region.
     Vec2 liCentre = Vec2::Zero();
     Vec2 liWarp = Vec2::Zero();
-    /// Direction of the map's x axis in the warped light image, in radians in [0, π/2); 0 for a map
-    /// that the technique gave whole.
+    /// Direction of the normals of the map's left and right sides in the warped light image, in
+    /// radians in [0, π); 0 for a map that the technique gave whole.
     double mapAngle = 0.0;
+    /// How far the normals of its other two sides are from a right angle with these, in radians in
+    /// (-π/2, π/2): 0 for a rectangle, positive to the left.
+    double mapSkew = 0.0;
     /// Half spaces n . x + d >= 0 as (n, d), in world axes relative to the problem's origin,
     /// bounded by planes through the light: receivers outside of any of them have no place in this
     /// map. The first `servedCount` count; there are none for a map that was fitted, which serves

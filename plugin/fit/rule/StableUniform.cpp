@@ -127,12 +127,12 @@ Vec2 steadyAxis(const LightImage& image, FitMemory& memory) {
     // Where nothing moved, nothing may creep.
     constexpr double Same = 1e-12;
     Vec2 axis = Vec2::UnitX();
-    if (memory.wsMapAxis) {
-        const Vec2 kept = image.lsFromDirection(*memory.wsMapAxis).head<2>();
+    if (memory.wsMapAxes) {
+        const Vec2 kept = image.lsFromDirection(memory.wsMapAxes->front()).head<2>();
         if (std::abs(kept.norm() - 1.0) < Same) return kept;
         if (kept.norm() > LeastLength) axis = kept.normalized();
     }
-    memory.wsMapAxis = image.lsFromWs().transpose() * Vec3(axis.x(), axis.y(), 0.0);
+    memory.wsMapAxes = axesInWorld({{axis, Vec2(-axis.y(), axis.x())}}, image);
     return axis;
 }
 

@@ -202,6 +202,13 @@ Vec2 WarpSearch::settle(const Judged& best) {
     return chosen;
 }
 
+std::optional<MapAxes> WarpSearch::axes(const Vec2& warp, const std::optional<WorldAxes>& wsLast) {
+    if (!usable()) return std::nullopt;
+    std::optional<MapAxes> last;
+    if (wsLast) last = axesFromWorld(*wsLast, mContext.image);
+    return mExtent.chooseAxes(warp, last);
+}
+
 std::optional<Vec2> WarpSearch::last() const {
     if (!mMemory) return std::nullopt;
     return mContext.image.lsFromDirection(mMemory->wsSpread).head<2>();

@@ -78,6 +78,11 @@ public:
     /// The last frame's best; none after a camera cut, or where there was nothing to judge by.
     std::optional<Vec2> target() const;
 
+    /// The map's axes for a warp: @see TexelExtent::chooseAxes. None where there is nothing to judge
+    /// by.
+    /// @param wsLast the last map's axes, as directions in the world
+    std::optional<MapAxes> axes(const Vec2& warp, const std::optional<WorldAxes>& wsLast);
+
     /// The focus region's hull with few vertices, which spreads are measured on.
     const Polygon2& hull() const { return mHull; }
     Vec2 warp(const Vec2& spread) const;

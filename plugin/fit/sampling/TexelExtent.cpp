@@ -10,6 +10,21 @@ namespace {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+/// Sine of the angle between a map's axes below which texels are too thin to be any good.
+constexpr double LeastAxesSine = 0.1;
+
+/// A parallelogram of more than so many times the smallest rectangle's area is not judged: how long
+/// texels are on average goes with the area's square root, and what their shape gains is less.
+constexpr double GreatestAxesArea = 1.2;
+
+/// Gain over the smallest rectangle, relative, from which on a parallelogram is taken: less is
+/// within what samples can tell.
+constexpr double LeastAxesGain = 0.02;
+
+/// Gain for which the last map's axes are given up: the extent of a texel goes with the square root
+/// of the map's area, of which a turned rectangle has to save a tenth (MapPlacement.cpp).
+constexpr double TurnedAxesGain = 0.05;
+
 /// The count rounded up to whole fours.
 constexpr std::size_t inFours(std::size_t count) {
     return (count + 3) / 4 * 4;
@@ -169,11 +184,75 @@ void TexelExtent::reset(const std::vector<ViewSample>& samples, const Polygon2& 
     }
 }
 
-double TexelExtent::operator()(const Vec2& warp) {
+MapSides TexelExtent::warpHull(const Vec2& warp) {
     const std::size_t padded = inFours(mVertices);
     warpAll(mHullX.data(), mHullY.data(), padded + 4, warp, mWarpedX.data(), mWarpedY.data());
-    const MapSides map = smallestMap(mWarpedX.data(), mWarpedY.data(), padded);
+    return smallestMap(mWarpedX.data(), mWarpedY.data(), padded);
+}
+
+double TexelExtent::operator()(const Vec2& warp) {
+    const MapSides map = warpHull(warp);
     return sumOver(mSamples, inFours(mCount), warp, map) / static_cast<double>(mCount);
+}
+
+double TexelExtent::extentAlong(const Vec2& normal) const {
+    double least = Infinity;
+    double most = -Infinity;
+    for (std::size_t i = 0; i < mVertices; ++i) {
+        const double along = normal.x() * mWarpedX[i] + normal.y() * mWarpedY[i];
+        least = std::min(least, along);
+        most = std::max(most, along);
+    }
+    return most - least;
+}
+
+std::optional<MapSides> TexelExtent::sidesOf(const std::array<Vec2, 2>& normals) const {
+    const auto& [a, b] = normals;
+    const double sine = a.x() * b.y() - a.y() * b.x();
+    if (!(sine > LeastAxesSine)) return std::nullopt;
+    // A side runs along the other axis' lines, as far as its own coordinate goes from end to end.
+    return MapSides{extentAlong(a) / sine * Vec2(b.y(), -b.x()),
+                    extentAlong(b) / sine * Vec2(-a.y(), a.x())};
+}
+
+std::optional<MapAxes> TexelExtent::chooseAxes(const Vec2& warp,
+                                               const std::optional<MapAxes>& last) {
+    const MapSides rectangle = warpHull(warp);
+    if (!(rectangle.u.norm() > 0.0 && rectangle.v.norm() > 0.0)) return std::nullopt;
+    const std::size_t count = inFours(mCount);
+    const Vec2 along = rectangle.u.stableNormalized();
+    MapAxes best{{along, Vec2(-along.y(), along.x())}};
+    const double rectangleSum = sumOver(mSamples, count, warp, rectangle);
+    const double greatestArea = GreatestAxesArea * rectangle.u.norm() * rectangle.v.norm();
+    double leastSum = (1.0 - LeastAxesGain) * rectangleSum;
+    bool isRectangle = true;
+    for (std::size_t i = 0; i < mVertices; ++i)
+        for (std::size_t k = i + 1; k < mVertices; ++k) {
+            std::array<Vec2, 2> normals;
+            for (const std::size_t which : {0, 1}) {
+                const std::size_t edge = which == 0 ? i : k;
+                normals[which] =
+                    Vec2(mWarpedY[edge] - mWarpedY[edge + 1], mWarpedX[edge + 1] - mWarpedX[edge])
+                        .stableNormalized();
+            }
+            if (normals[0].x() * normals[1].y() < normals[0].y() * normals[1].x())
+                normals[1] = -normals[1];
+            const auto sides = sidesOf(normals);
+            if (!sides || !(std::abs(sides->u.x() * sides->v.y() - sides->u.y() * sides->v.x()) <=
+                            greatestArea))
+                continue;
+            const double sum = sumOver(mSamples, count, warp, *sides);
+            if (!(sum < leastSum)) continue;
+            leastSum = sum;
+            best.normals = normals;
+            isRectangle = false;
+        }
+    if (!last) return best;
+    const auto kept = sidesOf(last->normals);
+    if (!kept) return best;
+    const double keptSum = sumOver(mSamples, count, warp, *kept);
+    if (!(keptSum * (1.0 - TurnedAxesGain) <= (isRectangle ? rectangleSum : leastSum))) return best;
+    return MapAxes{last->normals, true};
 }
 
 } // namespace Lixel

@@ -4,6 +4,7 @@
 #include "fit/sampling/ViewSamples.h"
 
 #include <array>
+#include <optional>
 
 namespace Lixel {
 
@@ -11,6 +12,15 @@ namespace Lixel {
 struct MapSides {
     Vec2 u = Vec2::Zero();
     Vec2 v = Vec2::Zero();
+};
+
+/** What a map's two coordinates grow along: unit normals of its sides in the warped light image, the
+    second to the left of the first. Where they are not at right angles the map is a parallelogram
+    there. */
+struct MapAxes {
+    std::array<Vec2, 2> normals;
+    /// Whether they are the last map's, to the last bit.
+    bool kept = false;
 };
 
 /** The sides of the smallest rectangle around a convex polygon; zero around a point.
@@ -42,6 +52,14 @@ public:
     /// The mean for a warp about the centre, which must be positive all over the hull.
     double operator()(const Vec2& warp);
 
+    /** The axes of the parallelogram around the warped hull that makes texels smallest, of those
+        whose sides lie along two of the hull's edges, or of the smallest rectangle, where that is
+        hardly worse.
+        @param warp as above
+        @param last the last map's axes: they are kept as long as no others are much better
+        @return none where the hull has no area */
+    std::optional<MapAxes> chooseAxes(const Vec2& warp, const std::optional<MapAxes>& last);
+
 private:
     /// Numbers of samples beside each other: position about the centre, and d(device x, y) /
     /// d(light image x, y) by rows. They only grow.
@@ -55,6 +73,13 @@ private:
 
     static double sumOver(const SampleColumns& columns, std::size_t count, const Vec2& warp,
                           const MapSides& map);
+    /// Warps the hull. @return the sides of the smallest rectangle around it
+    MapSides warpHull(const Vec2& warp);
+    /// How far the warped hull reaches along a unit vector, from end to end.
+    double extentAlong(const Vec2& normal) const;
+    /// The sides of the map with these axes around the warped hull; none where they are nearly
+    /// parallel.
+    std::optional<MapSides> sidesOf(const std::array<Vec2, 2>& normals) const;
 
     SampleColumns mSamples;
     std::size_t mCount = 0;

@@ -68,7 +68,10 @@ WarpChoice optimalWarp(const WarpContext& context, const OptimalOptions& options
                    ? search.follow(*target, std::max(evaluations / FollowingPart, LeastEvaluations))
                    : bestOfAll(context, search, evaluations);
     }
-    return {search.warp(search.settle(best)), FitReason::None};
+    WarpChoice choice;
+    choice.liWarp = search.warp(search.settle(best));
+    if (options.skewedMaps) choice.axes = search.axes(choice.liWarp, state.memory.wsMapAxes);
+    return choice;
 }
 
 } // namespace
@@ -87,6 +90,10 @@ const FitTechnique& OptimalOptions::technique() {
             "edge_weight", between(0.0, 1.0), "",
             "how much more those points count around which casters' boxes, as the light sees them, "
             "have many edges; 0: all alike, which takes less time"),
+        option<&OptimalOptions::skewedMaps>(
+            "skewed_maps",
+            "whether a map may be a parallelogram as the light sees it, where that makes texels "
+            "smaller"),
     };
     static constexpr FitTechnique declared = declare<OptimalOptions, optimalWarp>(
         "Optimal", "texels smallest where the viewer looks", "Chong 2006, §3.3", options);

@@ -76,7 +76,7 @@ WarpChoice planeOptimalWarp(const WarpContext& context, const PlaneOptimalOption
         if (!facesBoth(context, plane, sine)) return {Vec2::Zero(), FitReason::PlaneCannotServe};
         // A mirrored viewer's picture would turn the casters' faces.
         if (homography.determinant() < 0.0) homography.row(0) *= -1.0;
-        return {Vec2::Zero(), FitReason::None, homography};
+        return {.homography = homography};
     }
 
     const double fade = fadeBySine(std::abs(sine), PlaneFadeSine);

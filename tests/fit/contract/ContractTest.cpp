@@ -264,7 +264,8 @@ TEST_P(Contract, MatricesAreFiniteAndInvertible) {
         RC_ASSERT(std::isfinite(fit.depthOffset));
         RC_ASSERT(std::abs(fit.depthPerWorldUnit * (fit.lsFar - fit.lsNear) - 1.0) < 1e-9);
         RC_ASSERT(fit.mapAngle >= 0.0);
-        RC_ASSERT(fit.mapAngle < std::numbers::pi / 2.0);
+        RC_ASSERT(fit.mapAngle < std::numbers::pi);
+        RC_ASSERT(std::abs(fit.mapSkew) < std::numbers::pi / 2.0);
         return true;
     });
 }
@@ -456,7 +457,9 @@ TEST_P(Contract, TheMapIsTight) {
         Vec2 greatest = -least;
         Vec2 warpedLeast = least;
         Vec2 warpedGreatest = greatest;
-        const Eigen::Rotation2Dd axes(-fit.mapAngle);
+        const double across = fit.mapAngle + std::numbers::pi / 2.0 + fit.mapSkew;
+        Eigen::Matrix2d axes;
+        axes << std::cos(fit.mapAngle), std::sin(fit.mapAngle), std::cos(across), std::sin(across);
         for (const Vec2& q : hull) {
             // The ray's light-space point at depth 0 or, for a local light, 1.
             const Vec4 ls(q.x(), q.y(), fit.directional ? 0.0 : -1.0, 1.0);

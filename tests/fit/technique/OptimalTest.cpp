@@ -13,6 +13,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <numbers>
 
 using namespace Lixel;
@@ -173,6 +174,88 @@ RC_GTEST_PROP(TexelExtent, ItsMapIsASmallestRectangle, ()) {
         const double width = support(region.hull, axis) + support(region.hull, -axis);
         RC_ASSERT(std::abs(side.norm() - width) < 1e-12 * (1.0 + width));
     }
+}
+
+RC_GTEST_PROP(TexelExtent, ChoosesAxesThatAreNoWorseThanTheRectangle, ()) {
+    Dice dice(*anySeed());
+    const Region region = randomRegion(dice);
+    RC_PRE(region.hull.size() > 2U);
+    std::vector<ViewSample> samples(7);
+    for (ViewSample& sample : samples) {
+        sample.liPoint = region.centre;
+        for (double& entry : sample.ndcFromLi.reshaped())
+            entry = dice.in(-1.0, 1.0);
+    }
+    TexelExtent extent;
+    extent.reset(samples, region.hull, region.centre);
+    const double rectangle = extent(Vec2::Zero());
+    RC_PRE(rectangle > 1e-9);
+    // Without a warp the sides that axes make are those of every texel.
+    const auto meanFor = [&](const MapAxes& axes) {
+        Eigen::Matrix2d mapFromLi;
+        for (const Eigen::Index i : {0, 1}) {
+            const Vec2& n = axes.normals[static_cast<std::size_t>(i)];
+            mapFromLi.row(i) = n.transpose() / (support(region.hull, n) + support(region.hull, -n));
+        }
+        const Eigen::Matrix2d sides = mapFromLi.inverse();
+        double sum = 0.0;
+        for (const ViewSample& sample : samples)
+            sum += std::sqrt(sides.norm() * (sample.ndcFromLi * sides).norm());
+        return sum / static_cast<double>(samples.size());
+    };
+    const auto axes = extent.chooseAxes(Vec2::Zero(), std::nullopt);
+    RC_ASSERT(axes.has_value());
+    RC_ASSERT(!axes->kept);
+    RC_ASSERT(cross(axes->normals[0], axes->normals[1]) > 0.0);
+    const double chosen = meanFor(*axes);
+    RC_ASSERT(chosen <= rectangle * (1.0 + 1e-9));
+    // No pair of edges is better by more than what is asked of a parallelogram.
+    const auto normalOf = [&](std::size_t i) {
+        const Vec2 edge = region.hull[(i + 1) % region.hull.size()] - region.hull[i];
+        return Vec2(Vec2(-edge.y(), edge.x()).normalized());
+    };
+    for (std::size_t i = 0; i < region.hull.size(); ++i)
+        for (std::size_t k = i + 1; k < region.hull.size(); ++k) {
+            MapAxes other{{normalOf(i), normalOf(k)}};
+            if (cross(other.normals[0], other.normals[1]) < 0.0) other.normals[1] *= -1.0;
+            // Nearly parallel, or too large to be judged.
+            const auto [a, b] = other.normals;
+            const double area = (support(region.hull, a) + support(region.hull, -a)) *
+                                (support(region.hull, b) + support(region.hull, -b)) / cross(a, b);
+            if (cross(a, b) < 0.11 || area > 1.19 * smallestRectangle(region.hull).area()) continue;
+            RC_ASSERT(meanFor(other) >= chosen * (1.0 - 0.021));
+        }
+    // What was chosen is kept, to the last bit.
+    const auto again = extent.chooseAxes(Vec2::Zero(), axes);
+    RC_ASSERT(again.has_value());
+    RC_ASSERT(again->kept);
+    RC_ASSERT(again->normals == axes->normals);
+}
+
+TEST(TexelExtent, AParallelogramThatIsSeenAsASquareBecomesTheMap) {
+    // The sides (4, 0) and (3, 2), which the viewer sees at right angles and as long as each other.
+    const Polygon2 hull{Vec2(0.0, 0.0), Vec2(4.0, 0.0), Vec2(7.0, 2.0), Vec2(3.0, 2.0)};
+    Eigen::Matrix2d sides;
+    sides << 4.0, 3.0, 0.0, 2.0;
+    ViewSample sample;
+    sample.liPoint = Vec2(3.5, 1.0);
+    sample.ndcFromLi = sides.inverse();
+    TexelExtent extent;
+    extent.reset({sample}, hull, sample.liPoint);
+    const auto axes = extent.chooseAxes(Vec2::Zero(), std::nullopt);
+    ASSERT_TRUE(axes.has_value());
+    const Vec2 across = Vec2(-2.0, 3.0).normalized(); // normal of the side (3, 2)
+    const auto has = [&](const Vec2& normal) {
+        return std::ranges::any_of(
+            axes->normals, [&](const Vec2& own) { return std::abs(cross(own, normal)) < 1e-12; });
+    };
+    EXPECT_TRUE(has(Vec2::UnitY()));
+    EXPECT_TRUE(has(across));
+    // A far better one is not given up for the last map's rectangle; nor a point's for anything.
+    const MapAxes last{{Vec2::UnitX(), Vec2::UnitY()}};
+    EXPECT_FALSE(extent.chooseAxes(Vec2::Zero(), last)->kept);
+    extent.reset({sample}, {sample.liPoint}, sample.liPoint);
+    EXPECT_FALSE(extent.chooseAxes(Vec2::Zero(), last).has_value());
 }
 
 TEST(TexelExtent, TheMapOfAPointHasNoSidesAndThatOfASegmentOne) {
