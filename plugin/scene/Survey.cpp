@@ -47,8 +47,7 @@ void fetchAhead(std::span<const NodeWalk::Object> rest) {
 
 /// Whether the box may say too little of what the viewer, at the origin, sees of the body in it.
 bool needsSurface(const Aabb& box) {
-    return box.centre.squaredNorm() <
-               NearRadii * NearRadii * box.halfExtents.squaredNorm() &&
+    return box.centre.squaredNorm() < NearRadii * NearRadii * box.halfExtents.squaredNorm() &&
            box.halfExtents.minCoeff() > Flatness * box.halfExtents.maxCoeff();
 }
 
@@ -175,9 +174,9 @@ bool Survey::addParts(const Ogre::MovableObject& object, const Aabb& box) {
         relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin);
     if (!wsFromMesh.matrix().allFinite()) return false;
     const Mat3 reach = wsFromMesh.linear().cwiseAbs();
-    for (const Eigen::AlignedBox3f& part : parts->bounds) {
-        const Aabb placed{wsFromMesh * part.center().cast<double>(),
-                          reach * (part.sizes().cast<double>() / 2.0)};
+    for (const Eigen::AlignedBox3f& bounds : parts->bounds) {
+        const Eigen::AlignedBox3d part = bounds.cast<double>();
+        const Aabb placed{wsFromMesh * part.center(), reach * (part.sizes() / 2.0)};
         if (mView.classify(placed) == ConvexVolume::Side::Outside) continue;
         const std::size_t before = mReceivers.size();
         mReceivers.add(placed);

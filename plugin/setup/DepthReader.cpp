@@ -213,22 +213,45 @@ DepthReader::~DepthReader() {
     release();
 }
 
+/// OpenGL's objects that nobody needs any more. They are destroyed where a reading begins: elsewhere
+/// another context may be current, or none.
+struct DepthReader::Discarded {
+    std::vector<GLuint> buffers;
+    std::vector<GLuint> renderbuffers;
+    std::vector<GLsync> fences;
+
+    static Discarded& all() {
+        static Discarded& discarded = *new Discarded; // as long as any reader
+        return discarded;
+    }
+    void destroy(const Gl& gl) {
+        for (const GLsync fence : fences)
+            gl.deleteSync(fence);
+        if (!buffers.empty())
+            gl.deleteBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+        if (!renderbuffers.empty())
+            gl.deleteRenderbuffers(static_cast<GLsizei>(renderbuffers.size()),
+                                   renderbuffers.data());
+        *this = {};
+    }
+};
+
+void DepthReader::forgetDiscarded() {
+    Discarded::all() = {};
+}
+
 void DepthReader::release() {
-    // What OpenGL has goes with its context at the latest.
-    const Ogre::Root* const root = Ogre::Root::getSingletonPtr();
-    const bool isThere = mGl && mGl->isLoaded && root != nullptr &&
-                         const_cast<Ogre::Root*>(root)->getRenderSystem() != nullptr;
+    Discarded& discarded = Discarded::all();
     for (std::unique_ptr<Slot>& slot : mSlots) {
-        if (slot && isThere) {
-            if (slot->fence != nullptr) mGl->deleteSync(slot->fence);
-            mGl->deleteBuffers(1, &slot->buffer);
-            mGl->deleteRenderbuffers(1, &slot->gathered);
+        if (slot) {
+            if (slot->fence != nullptr) discarded.fences.push_back(slot->fence);
+            discarded.buffers.push_back(slot->buffer);
+            discarded.renderbuffers.push_back(slot->gathered);
         }
         slot.reset();
     }
-    if (!mGl) return;
-    if (isThere) mGl->deleteRenderbuffers(1, &mGl->resolved);
-    mGl->resolved = 0;
+    if (mGl && mGl->resolved != 0)
+        discarded.renderbuffers.push_back(std::exchange(mGl->resolved, 0));
 }
 
 bool DepthReader::isSupported() {
@@ -280,6 +303,7 @@ bool DepthReader::begin(const Ogre::Viewport& viewport, std::size_t columns, std
     if (!mGl->isLoaded) return false;
     const Gl& gl = *mGl;
     const KeptGlState kept(gl);
+    Discarded::all().destroy(gl);
     bool isNew = false;
     if (!prepare(viewport, columns, rows, isNew)) return false;
     mIsBroken = false;
@@ -295,7 +319,9 @@ bool DepthReader::begin(const Ogre::Viewport& viewport, std::size_t columns, std
                                         : static_cast<GLint>(target.getHeight()) - top -
                                               static_cast<GLint>(gl.height);
     // Errors are asked for once alone: that may wait for the driver.
-    while (isNew && gl.getError() != GL_NO_ERROR) {
+    // A context that is lost has no end of them.
+    constexpr int MostErrors = 16;
+    for (int i = 0; isNew && i < MostErrors && gl.getError() != GL_NO_ERROR; ++i) {
     }
     bool works = gl.gather(kept.target(), static_cast<GLint>(viewport.getActualLeft()), bottom,
                            slot.gathered);

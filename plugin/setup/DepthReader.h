@@ -39,6 +39,9 @@ public:
     DepthReader(const DepthReader&) = delete;
     DepthReader& operator=(const DepthReader&) = delete;
 
+    /// Leaves to OpenGL what readers had that are gone: its context goes, or has gone.
+    static void forgetDiscarded();
+
     /// Whether the active render system is one whose depths can be read.
     static bool isSupported();
 
@@ -59,6 +62,7 @@ public:
 private:
     struct Gl;
     struct Slot;
+    struct Discarded;
 
     void release();
     bool isReading() const { return mSlots.front() != nullptr; }

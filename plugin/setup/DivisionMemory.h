@@ -3,6 +3,8 @@
 #include "fit/parts/LightPartition.h"
 #include "scene/Fingerprint.h"
 
+#include <optional>
+
 namespace Lixel {
 
 /** What dividing a light into several maps remembers, for each light and viewer, and its scratch
@@ -17,6 +19,8 @@ struct DivisionMemory {
     virtual void addMemory(Fingerprint&) const {}
 
     AimScratch aim;
+    /// Where the last map's cone was aimed at that serves a part of its light. @see widestSpot
+    std::optional<Vec3> wsAimAxis;
 };
 
 } // namespace Lixel

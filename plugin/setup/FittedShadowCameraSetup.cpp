@@ -63,6 +63,10 @@ constexpr double MarginShare = 0.5;
 constexpr double LeastMargin = 0.05;
 constexpr double FreshShare = 0.7;
 
+/// Fewer parts of a mesh are too coarse for what is gained by them: a grid of at most so many may have
+/// a quarter of them, and of fewer than MeshShapes::LeastParts nothing is made.
+constexpr int FewestMeshParts = 256;
+
 double widestMargin(const CommonOptions& options) {
     return MarginShare * options.lastingMaps;
 }
@@ -105,10 +109,10 @@ LightPartition FittedShadowCameraSetup::divide(const ShadowProblem& problem, std
                                                DivisionMemory& memory) const noexcept {
     if (!needsParts(problem.light)) return wholeLight(problem.light);
     constexpr std::size_t CubeFaces = 6;
+    if (maps == 1) return widestPart(problem, memory.aim, memory.wsAimAxis);
     if (maps < CubeFaces) {
         const LightPartition aimed = aimedSpot(problem, memory.aim);
         if (aimed.count > 0) return aimed;
-        if (maps == 1) return widestPart(problem, memory.aim);
     }
     return cubeAround(problem.light);
 }
@@ -249,7 +253,9 @@ void FittedShadowCameraSetup::prepareMap(const Request& request, const ShadowTar
     if (iteration == 0 && store != nullptr && isProofMode()) store->beginReading({});
     const TimedSurvey& timed =
         surveyFor(viewer, viewport, light.getShadowFarDistance(), widestMargin(mCommon),
-                  mCommon.meshHulls ? static_cast<std::size_t>(mCommon.meshParts) : 0);
+                  mCommon.meshHulls && mCommon.meshParts > 0
+                      ? static_cast<std::size_t>(std::max(mCommon.meshParts, FewestMeshParts))
+                      : 0);
     const Survey& survey = timed.survey;
     ShadowProblem problem = describe(request, survey, memory);
     const auto searchBegin = Clock::now();

@@ -86,13 +86,13 @@ struct CommonOptions {
     /** In how many parts, at most, a large mesh is known that reaches out of the view, such as a
         terrain with all that grows on it in one mesh: maps are fitted to the parts in view, and view
         rays meet what is there instead of the mesh's box. 0: each mesh is known as a whole; 1024 is
-        a good number.
+        a good number, and fewer than 256 are taken for 256.
 
         For meshes that have a hull (meshHulls, without which there are no parts), are not convex,
         and have no levels of detail. Parts are found once for each viewer, for all lights and maps:
-        other lights' setups may get them too, so that where buffers are rewritten in place none
-        may ask for them. Reading them takes a mesh some frames, and keeps 80
-        bytes a part.
+        other lights' setups may get them too, or not, as lights come and go that ask for them; so
+        set the same number in all setups of a scene. Where buffers are rewritten in place none may
+        ask for them. Reading them takes a mesh some frames, and keeps 80 bytes a part.
         @see prepareMesh */
     int meshParts = 0;
 
@@ -112,10 +112,10 @@ struct CommonOptions {
     A light has as many maps as SceneManager::setShadowTextureCountPerLightType says for its type,
     as far as there are textures left, under the integrated shadow techniques; elsewhere OGRE draws
     one map a light, and the log says so where there are more. A point light, and a spot wider than
-    179°, takes six, one for each face of a cube around it; with fewer it gets the narrowest spot
-    around what it can shadow, or where that would be wider than 160°, those faces that have
-    something to show. Where these do not suffice it has no shadow. A single map serves a cone of
-    160° around what is seen, and what lies outside is lit. The log says both.
+    179°, takes six, one for each face of a cube around it. With two to five it gets the narrowest
+    spot around what it can shadow, or where that would be wider than 160°, those faces that have
+    something to show, as many as there are maps. With one it gets that spot, or else a cone of 160°
+    around what is seen. The rest is lit, and the log says so.
 
     Maps of one light are asked for in order, from the first one on, as OGRE does.
 

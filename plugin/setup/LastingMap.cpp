@@ -67,6 +67,7 @@ bool move(LastingMap& kept, const Fingerprint& settings, const ShadowFit& fresh,
 ShadowProblem widened(const ShadowProblem& problem, double share) {
     ShadowProblem wide = problem;
     wide.viewer = widened(problem.viewer, share);
+    wide.seen = nullptr; // by cells of the picture as it is
     // The region may end at shadows instead of at the view's border: those ends move a little too.
     wide.filterRadius += EdgeShare * share * std::min(problem.mapWidth, problem.mapHeight) / 2.0;
     return wide;

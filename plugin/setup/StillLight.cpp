@@ -32,7 +32,10 @@ constexpr unsigned FramesOfDoubt = 15;
 /// All that outlives a frame and may have the next one's maps be others.
 Fingerprint memoriesOf(const LightMemory& memory) {
     Fingerprint all;
-    if (memory.division) memory.division->addMemory(all);
+    if (memory.division) {
+        memory.division->addMemory(all);
+        if (memory.division->wsAimAxis) addVector(*memory.division->wsAimAxis, all);
+    }
     for (std::size_t part = 0; part < memory.parts.count; ++part)
         addMemory(memory.states[part].memory, all);
     for (const std::unique_ptr<LastingMap>& lasting : memory.lasting) {

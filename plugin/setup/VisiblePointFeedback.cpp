@@ -97,6 +97,8 @@ private:
     std::uint64_t mBegun = 0;
     /// Frames that asked for it.
     std::uint64_t mFramesAsked = 0;
+    /// The viewer for whom it was last asked.
+    Moment mAsked;
     /// The viewer of each reading under way, by its number.
     std::array<Moment, DepthReader::Buffers> mMoments;
     /// The frame that was last asked for, and the last one read.
@@ -175,7 +177,8 @@ FeedbackState ViewerListener::use(const Moment& now) {
 Feedback ViewerListener::ask(const ShadowViewer& now, const Vec3& wsOrigin) {
     if (!std::exchange(mIsAsked, true)) ++mFramesAsked;
     const Stopwatch watch(mStatistics.microseconds);
-    mStatistics.state = use({now, wsOrigin, mFramesAsked});
+    mAsked = {now, wsOrigin, mFramesAsked};
+    mStatistics.state = use(mAsked);
     const bool isUsed = mStatistics.state == FeedbackState::Used;
     mStatistics.known =
         isUsed ? static_cast<double>(mSeen.known()) / static_cast<double>(PictureCells::Count)
@@ -196,9 +199,8 @@ void ViewerListener::cameraPostRenderScene(Ogre::Camera*) {
     const bool wasBroken = mReader.isBroken();
     if (mReader.begin(*viewport, wantedColumns, wantedRows, mBegun + 1)) {
         ++mBegun;
-        Moment& moment = mMoments[mBegun % DepthReader::Buffers];
-        moment.viewer = viewerOf(mCamera, moment.wsOrigin);
-        moment.frame = mFramesAsked;
+        // Not as the camera is by now: another listener may have put it back already.
+        mMoments[mBegun % DepthReader::Buffers] = mAsked;
         ++mStatistics.begun;
     } else if (!mReader.isBroken()) {
         ++mStatistics.leftOut;
@@ -245,6 +247,7 @@ std::uint64_t feedbackVersion(const Ogre::Camera& viewer) {
 
 void forgetFeedback() {
     viewers().clear();
+    DepthReader::forgetDiscarded();
 }
 
 FeedbackStatistics feedbackStatistics(const Ogre::Camera& viewer) {

@@ -29,7 +29,7 @@ LIXEL_API const char* toString(FeedbackState state);
 /// What feedback did in a viewer's last frame.
 struct FeedbackStatistics {
     FeedbackState state = FeedbackState::NotAsked;
-    /// How many frames ago the depths were drawn that were used.
+    /// How many frames ago the depths were drawn that were used, of those in which maps were fitted.
     unsigned age = 0;
     /// The grid of pixels that is read, and how many of them showed a surface whose normal is
     /// certain.
@@ -54,8 +54,8 @@ struct FeedbackStatistics {
     and without waiting for it, a frame or two later. Setups that judge maps by samples (XPSM,
     Optimal, cascades) judge by these points, where the viewer still sees them; by view rays, as
     without feedback, where he sees what was hidden or out of view. What a map shows, the focus
-    region, is never made smaller for it: a few pixels do not tell what lies between them. So no
-    point in view is without its shadow for it, whatever has moved. */
+    region, is never made smaller for it: a few pixels do not tell what lies between them. So
+    feedback never costs a visible point its shadow, whatever has moved. */
 LIXEL_API FeedbackStatistics feedbackStatistics(const Ogre::Camera& viewer);
 
 /// The points of the latest reading of a viewer that has arrived, in the world; none without.

@@ -150,10 +150,11 @@ LightPartition aimedSpot(const ShadowProblem& problem, AimScratch& scratch) {
     return aimSpot(problem, scratch, spot) ? wholeLight(spot) : LightPartition();
 }
 
-LightPartition widestPart(const ShadowProblem& problem, AimScratch& scratch) {
+LightPartition widestPart(const ShadowProblem& problem, AimScratch& scratch,
+                          std::optional<Vec3>& wsAxis) {
     LightPartition parts = aimedSpot(problem, scratch);
     if (parts.count > 0) return parts;
-    parts = wholeLight(widestSpot(problem, scratch));
+    parts = wholeLight(widestSpot(problem, scratch, wsAxis));
     parts.servesAll = false;
     return parts;
 }

@@ -61,7 +61,8 @@ LIXEL_API LightPartition aimedSpot(const ShadowProblem& problem, AimScratch& scr
 
 /// The same in a single part whatever it takes: where no spot will do, the widest one around what
 /// the viewer sees, which serves no light rays outside of its cone.
-LIXEL_API LightPartition widestPart(const ShadowProblem& problem, AimScratch& scratch);
+LIXEL_API LightPartition widestPart(const ShadowProblem& problem, AimScratch& scratch,
+                                    std::optional<Vec3>& wsAxis);
 
 /** Faces of a cube around a local light, with world axes: six spots, none of them depending on the
     viewer. A spot's own cone is not regarded: it is for those that are too wide for one map. */

@@ -41,6 +41,13 @@ bool directionsTo(const BoxSet& boxes, const ConvexVolume& volume, const Vec3& w
     return !scratch.directions.empty();
 }
 
+/// Length of the mean of unit vectors below which they point all around.
+constexpr double LeastCommon = 0.1;
+
+/// Cosine of the angle to the mean, 15°, beyond which the last axis is given up: what the cone of 80°
+/// loses on one side by then is a fifth of it.
+constexpr double KeptAimCosine = 0.9659258262890683;
+
 /// The light as a spot.
 ShadowLight asSpot(const ShadowLight& light, const Vec3& axis, double halfAngle) {
     ShadowLight spot = light;
@@ -56,13 +63,18 @@ ShadowLight asSpot(const ShadowLight& light, const Vec3& axis, double halfAngle)
 struct LitMean {
     const ShadowLight& light;
     Vec3 sum = Vec3::Zero();
+    double weight = 0.0;
 
     void add(const VisiblePoint& point) {
         const Vec3 away = point.ws - light.wsPosition;
         const double distance = away.norm();
         if (!(distance > light.nearDistance && distance <= light.range)) return;
-        sum += std::max(-point.wsNormal.dot(away) / distance, 0.0) * away / distance;
+        const double cosine = std::max(-point.wsNormal.dot(away) / distance, 0.0);
+        sum += cosine * away / distance;
+        weight += cosine;
     }
+    /// Whether the directions have something in common.
+    bool isClear() const { return sum.allFinite() && sum.norm() > LeastCommon * weight; }
 };
 
 } // namespace
@@ -105,7 +117,8 @@ bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spo
     return found;
 }
 
-ShadowLight widestSpot(const ShadowProblem& problem, AimScratch& scratch) {
+ShadowLight widestSpot(const ShadowProblem& problem, AimScratch& scratch,
+                       std::optional<Vec3>& wsAxis) {
     const ShadowViewer& viewer = problem.viewer;
     LitMean mean{problem.light};
     for (const VisiblePoint& point : problem.visiblePoints)
@@ -118,8 +131,10 @@ ShadowLight widestSpot(const ShadowProblem& problem, AimScratch& scratch) {
     }
     // Where it reaches nothing that is seen, as the viewer looks.
     const Vec3 ahead = -viewer.viewFromWorld.row(2).head<3>();
-    const bool found = mean.sum.allFinite() && mean.sum.norm() > 0.0;
-    return asSpot(problem.light, (found ? mean.sum : ahead).stableNormalized(), WidestAim);
+    const Vec3 axis = (mean.isClear() ? mean.sum : ahead).stableNormalized();
+    const bool keeps = wsAxis && (!mean.isClear() || wsAxis->dot(axis) >= KeptAimCosine);
+    if (!keeps) wsAxis = axis;
+    return asSpot(problem.light, *wsAxis, WidestAim);
 }
 
 } // namespace Lixel

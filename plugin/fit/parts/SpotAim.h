@@ -4,6 +4,8 @@
 #include "fit/problem/ShadowProblem.h"
 #include "fit/sampling/ViewRays.h"
 
+#include <optional>
+
 namespace Lixel {
 
 /// Scratch memory of aiming, kept between frames.
@@ -31,8 +33,11 @@ inline constexpr double WidestAim = 1.3962634015954636;
 bool aimSpot(const ShadowProblem& problem, AimScratch& scratch, ShadowLight& spot);
 
 /** The same where no spot will do: one of WidestAim, along the mean direction in which light reaches
-    what the viewer sees. What lies outside of its cone is not served. */
-ShadowLight widestSpot(const ShadowProblem& problem, AimScratch& scratch);
+    what the viewer sees. What lies outside of its cone is not served.
+    @param wsAxis the last frame's axis, which is kept while the mean is near it, so that the cone's
+           border stands still and the map may; it is set */
+ShadowLight widestSpot(const ShadowProblem& problem, AimScratch& scratch,
+                       std::optional<Vec3>& wsAxis);
 
 /// The spot around directions from the light; false where they need more than the widest half
 /// angle, or there are none. @param directions of any length but zero; they are changed

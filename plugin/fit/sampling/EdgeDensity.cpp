@@ -6,8 +6,9 @@
 namespace Lixel {
 namespace {
 
-/// An edge is added at points as far apart as cells are wide, and at no more than so many.
-constexpr double MostPoints = 16.0;
+/// An edge is added at points as far apart as cells are wide: within the grid there are no more than
+/// its diagonal has.
+constexpr double MostPoints = 24.0;
 
 /// Outlines that go around the focus region so often are believed by half. Among 0, 2 and 8, with 2
 /// maps erred least over the samples.
@@ -75,7 +76,21 @@ void EdgeDensity::add(const BoxSet& casters, double nearDistance) {
     }
 }
 
-void EdgeDensity::addEdge(const Vec2& middle, const Vec2& half, double lsDepth) {
+void EdgeDensity::addEdge(Vec2 middle, Vec2 half, double lsDepth) {
+    // middle + t half, for t from -1 to 1, cut to the grid (Liang and Barsky 1984).
+    constexpr auto End = static_cast<double>(Cells);
+    double from = -1.0;
+    double to = 1.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double first = (mLiLeast[axis] - middle[axis]) / half[axis];
+        const double last = (mLiLeast[axis] + End / mScale[axis] - middle[axis]) / half[axis];
+        if (half[axis] == 0.0) continue; // addAt leaves out what is beside the grid
+        from = std::max(from, std::min(first, last));
+        to = std::min(to, std::max(first, last));
+    }
+    if (!(from < to)) return;
+    middle += (from + to) / 2.0 * half;
+    half *= (to - from) / 2.0;
     const double length = 2.0 * half.norm();
     const double cells = 2.0 * half.cwiseProduct(mScale).norm();
     const double count = std::clamp(std::ceil(cells), 1.0, MostPoints);

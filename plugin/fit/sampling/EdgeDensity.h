@@ -53,7 +53,7 @@ private:
     static constexpr std::size_t PlaneSize = Side * Side;
 
     Place place(const Vec2& inCells, double lsDepth) const;
-    void addEdge(const Vec2& middle, const Vec2& half, double lsDepth);
+    void addEdge(Vec2 middle, Vec2 half, double lsDepth);
     void addAt(const Vec2& li, double lsDepth, double length);
 
     LightImage mImage;

@@ -45,8 +45,8 @@ public:
     };
     static constexpr double Disc = 3.0;
 
-    /// Where a ray of any round goes through the picture, in device coordinates, be it that it is
-    /// never sent.
+    /// Where a ray of any round goes through the picture, in device coordinates, even where it is
+    /// not sent.
     static Vec2 placeOf(std::size_t ray, std::size_t round);
 
     /// Sends one ray through each cell, away from its middle, so that rays do not line up with rows

@@ -312,12 +312,14 @@ TEST(LightPartition, WhereNoSpotWillDoTheWidestIsAimedAtWhatIsSeen) {
     scene.light.kind = LightKind::Point;
     AimScratch scratch;
     ASSERT_EQ(aimedSpot(scene.problem(), scratch).count, 0U);
-    const LightPartition parts = widestPart(scene.problem(), scratch);
+    std::optional<Vec3> wsAxis;
+    const LightPartition parts = widestPart(scene.problem(), scratch, wsAxis);
     ASSERT_EQ(parts.count, 1U);
     EXPECT_FALSE(parts.servesAll);
     const ShadowLight& spot = parts.parts[0].light;
     EXPECT_EQ(spot.outerHalfAngle, WidestAim);
     EXPECT_GT(spot.wsDirection.dot(-Vec3::UnitZ()), 0.99);
+    EXPECT_EQ(wsAxis, spot.wsDirection);
 
     // What is given as seen decides instead of the rays.
     const std::array seen{VisiblePoint{Vec3(6.0, 0.0, 0.0), -Vec3::UnitX()},
@@ -328,13 +330,29 @@ TEST(LightPartition, WhereNoSpotWillDoTheWidestIsAimedAtWhatIsSeen) {
     scene.light.range = 50.0;
     ShadowProblem problem = scene.problem();
     problem.visiblePoints = seen;
-    const Vec3 axis = widestPart(problem, scratch).parts[0].light.wsDirection;
+    const Vec3 axis = widestPart(problem, scratch, wsAxis).parts[0].light.wsDirection;
     EXPECT_LT((axis - Vec3(1.0, -1.0, 0.0).normalized()).norm(), 1e-12);
 
-    // Nothing that has bounds is seen: as the viewer looks.
+    // The axis stays while the mean is within 15 degrees of it.
+    for (const double degrees : {10.0, -14.0, 16.0}) {
+        const Vec3 mean = Eigen::AngleAxisd(degrees * Degree, Vec3::UnitZ()) * axis;
+        const std::array one{VisiblePoint{5.0 * mean, -mean}};
+        problem.visiblePoints = one;
+        const Vec3 kept = widestPart(problem, scratch, wsAxis).parts[0].light.wsDirection;
+        if (std::abs(degrees) < 15.0)
+            EXPECT_EQ(kept, axis);
+        else
+            EXPECT_LT((kept - mean).norm(), 1e-12);
+    }
+
+    // Nothing that has bounds is seen: as before, or else as the viewer looks.
     scene.receivers.clear();
     scene.receivers.addUnbounded();
-    EXPECT_EQ(widestPart(scene.problem(), scratch).parts[0].light.wsDirection, -Vec3::UnitZ());
+    const Vec3 before = *wsAxis;
+    EXPECT_EQ(widestPart(scene.problem(), scratch, wsAxis).parts[0].light.wsDirection, before);
+    wsAxis.reset();
+    EXPECT_EQ(widestPart(scene.problem(), scratch, wsAxis).parts[0].light.wsDirection,
+              -Vec3::UnitZ());
 }
 
 TEST(LightPartition, AWidestPartThatServesAllIsTheAimedSpot) {
@@ -344,8 +362,10 @@ TEST(LightPartition, AWidestPartThatServesAllIsTheAimedSpot) {
     scene.light.kind = LightKind::Point;
     scene.light.wsPosition = Vec3(0.0, 6.0, -20.0);
     AimScratch scratch;
-    const LightPartition parts = widestPart(scene.problem(), scratch);
+    std::optional<Vec3> wsAxis;
+    const LightPartition parts = widestPart(scene.problem(), scratch, wsAxis);
     EXPECT_TRUE(parts.servesAll);
+    EXPECT_FALSE(wsAxis.has_value());
     EXPECT_EQ(parts.parts[0].light.outerHalfAngle,
               aimedSpot(scene.problem(), scratch).parts[0].light.outerHalfAngle);
 }

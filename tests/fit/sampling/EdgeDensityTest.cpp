@@ -74,6 +74,27 @@ RC_GTEST_PROP(EdgeDensity, ABoxHasThePerimeterOfItsOutline, ()) {
     RC_ASSERT(std::abs(lengthIn(edges, 8.0, 10.0) - perimeter) < 1e-6 * perimeter);
 }
 
+TEST(EdgeDensity, OfAnEdgeThatGoesFarBeyondTheGridIsThatOfItsPartWithin) {
+    // Two edges from one side of the grid to the other, wherever along them the box's middle is.
+    const LightImage image = sunAbove();
+    const auto densityFor = [&](double x) {
+        EdgeDensity edges;
+        edges.reset(image, squareHull(8.0), Vec2(0.0, 30.0));
+        edges.add(setOf({Vec3(x, -10.0, 0.0), Vec3(800.0, 0.0, 2.0)}), 0.1);
+        edges.finish();
+        return std::pair(lengthIn(edges, 8.0, 30.0),
+                         edges.at(image.project(image.lsFromPoint(Vec3(0.3, -10.0, 2.0))), 30.0));
+    };
+    const auto [length, density] = densityFor(0.0);
+    EXPECT_NEAR(length, 2.0 * 16.0, 1.0);
+    EXPECT_GT(density, 0.0);
+    for (const double x : {1e-4, 3.0, -37.0, 500.0}) {
+        // Rounding decides whether an edge of 16 cells gets 16 points or 17.
+        EXPECT_NEAR(densityFor(x).first, length, 0.01 * length);
+        EXPECT_NEAR(densityFor(x).second, density, density / 16.0);
+    }
+}
+
 TEST(EdgeDensity, LiesAroundTheOutline) {
     const LightImage image = sunAbove();
     EdgeDensity edges;
