@@ -112,9 +112,9 @@ struct CommonOptions {
     A light has as many maps as SceneManager::setShadowTextureCountPerLightType says for its type,
     as far as there are textures left, under the integrated shadow techniques; elsewhere OGRE draws
     one map a light, and the log says so where there are more. A point light, and a spot wider than
-    179°, takes six, one for each face of a cube around it. With two to five it gets the narrowest
-    spot around what it can shadow, or where that would be wider than 160°, those faces that have
-    something to show, as many as there are maps. With one it gets that spot, or else a cone of 160°
+    179°, takes six, one for each face of a cube around it. With fewer it gets the narrowest spot
+    around what it can shadow. Where that would be wider than 160°, four and five maps are those faces
+    that have something to show, as many as there are maps; with fewer, one map is a cone of 160°
     around what is seen. The rest is lit, and the log says so.
 
     Maps of one light are asked for in order, from the first one on, as OGRE does.

@@ -45,10 +45,11 @@ void LightNews::tell(const Ogre::Light& light, FitReason reason, const ShadowPro
         "; six maps are enough for any light (SceneManager::setShadowTextureCountPerLightType, an "
         "integrated shadow technique, and a material that reads as many)";
     if (reason == FitReason::PartOfLight)
-        return logWarning("light '" + light.getName() +
-                          "' shines too wide for its one map: it casts shadows within a cone of "
-                          "160 degrees around what is seen, and all else is lit" +
-                          SixMaps);
+        return logWarning(
+            "light '" + light.getName() +
+            "' shines too wide for the maps that it has: it casts shadows within a cone of "
+            "160 degrees around what is seen, and all else is lit" +
+            SixMaps);
     std::string message = "no shadow map for light '" + light.getName() + "': " + toString(reason);
     if (reason == FitReason::TooFewMaps) message += SixMaps;
     if (reason == FitReason::InvalidInput)

@@ -179,7 +179,7 @@ TEST(PointLight, SaysWhereOneMapIsNotEnough) {
     fmt::print("one map: leaks {:.3f} % of {:.3f} %, acne {:.3f} %\n", error.leak, all, error.acne);
     EXPECT_LT(error.leak, all / 2.0);
     EXPECT_LT(error.acne, 0.2);
-    EXPECT_EQ(log.count("light 'Light' shines too wide for its one map"), 1U);
+    EXPECT_EQ(log.count("light 'Light' shines too wide for the maps that it has"), 1U);
     // From above it is.
     lamp.stage.light().getParentSceneNode()->setPosition(0, 3, 0);
     EXPECT_LT(lamp.visibilityAt(Ogre::Vector3(8, 0, 0)), 128);
@@ -188,8 +188,10 @@ TEST(PointLight, SaysWhereOneMapIsNotEnough) {
 TEST(PointLight, SaysWhereFacesAreMissing) {
     Lamp lamp(1);
     LogCollector log;
+    // Below the lamp, whose face would otherwise show nothing.
+    lamp.addCube(Ogre::Vector3(0.3F, 0.1F, 0.3F), Ogre::Vector3(0.4F, 0.2F, 0.4F));
     showVisibility(lamp.stage);
-    setMaps(lamp.stage, 512, 2);
+    setMaps(lamp.stage, 512, 4);
     for (int i = 0; i < 3; ++i)
         lamp.stage.drawFrame();
     EXPECT_EQ(log.count("needs more shadow maps than it has"), 1U);
@@ -197,6 +199,12 @@ TEST(PointLight, SaysWhereFacesAreMissing) {
     setMaps(lamp.stage, 512, 5);
     EXPECT_LT(lamp.error().error, 1.0);
     EXPECT_EQ(log.count("Lixel:"), 1U);
+    // Two are too few for faces: one of them is a cone.
+    setMaps(lamp.stage, 512, 2);
+    const ClassificationError error = lamp.error();
+    EXPECT_LT(error.leak, 100.0 * static_cast<double>(error.shadowed) /
+                              static_cast<double>(error.counted()) / 2.0);
+    EXPECT_EQ(log.count("light 'Light' shines too wide for the maps that it has"), 1U);
 }
 
 /// Materials that read six maps, for lights that have fewer: what these lack serves nothing.

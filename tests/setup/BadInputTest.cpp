@@ -164,7 +164,7 @@ TEST_P(BadInput, PointLightInsideACasterHasAConeOfShadowsAndSaysSo) {
         scene.stage.drawFrame();
     EXPECT_EQ(last.fit.reason, FitReason::PartOfLight);
     EXPECT_TRUE(last.fit.hasMap());
-    EXPECT_EQ(log.count("light 'Light' shines too wide for its one map"), 1U);
+    EXPECT_EQ(log.count("light 'Light' shines too wide for the maps that it has"), 1U);
 }
 
 INSTANTIATE_TEST_SUITE_P(SceneManagers, BadInput, testing::Values("", "OctreeSceneManager"),

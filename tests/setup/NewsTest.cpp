@@ -7,7 +7,7 @@
 namespace Lixel::Tests {
 namespace {
 
-const char* const OneMap = "light 'Light' shines too wide for its one map";
+const char* const TooFew = "light 'Light' shines too wide for the maps that it has";
 
 /// A light that would need six maps, and has one.
 void makePoint(Ogre::Light& light) {
@@ -52,7 +52,7 @@ TEST(News, AFlickeringLightIsToldOfOnce) {
             scene.stage.light().setType(Ogre::Light::LT_DIRECTIONAL);
         scene.stage.drawFrame();
     }
-    EXPECT_EQ(log.count(OneMap), 1U);
+    EXPECT_EQ(log.count(TooFew), 1U);
 }
 
 TEST(News, ALightIsToldOfOnceForAllCameras) {
@@ -69,7 +69,7 @@ TEST(News, ALightIsToldOfOnceForAllCameras) {
     }
     scene.stage.drawFrame();
     scene.stage.drawFrame();
-    EXPECT_EQ(log.count(OneMap), 1U);
+    EXPECT_EQ(log.count(TooFew), 1U);
 }
 
 } // namespace

@@ -26,7 +26,7 @@ enum class FitReason {
     /// A stable map was asked for a view that has neither a far plane nor a shadow distance: the
     /// map is focused.
     ViewWithoutEnd,
-    /// A point light or a wide spot, which takes more maps than it has: this one serves the light
+    /// A point light or a wide spot, which takes more maps than it has: its only one serves the light
     /// rays within a cone (WidestAim) around what is seen, and what lies outside is lit.
     PartOfLight,
     // From here on there is no map to draw.
