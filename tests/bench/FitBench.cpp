@@ -5,8 +5,9 @@
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
 // viewer turns a little from one fit to the next, as it does from frame to frame. Each fit is
 // measured twice: with nothing known of the bodies but their boxes, and with bodies that are known
-// to be convex. Optimal is also measured with `edge_weight`. Cascades are three maps of Optimal,
-// divided and fitted: into slices by depth, or into strips where they are judged better.
+// to be convex. Optimal is also measured with `edge_weight` and `skewed_maps`. Cascades are three
+// maps of Optimal, divided and fitted: into slices by depth, or into strips where they are judged
+// better.
 #include "fit/core/FitState.h"
 #include "fit/parts/CascadeDivision.h"
 #include "fit/technique/Optimal.h"
@@ -166,18 +167,20 @@ int main(int argc, char** argv) {
                     };
                     benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
                 }
-    for (const Light& light : Lights)
-        for (const int objects : Sizes) {
-            const std::string name =
-                std::string("Optimal/") + light.name + "/" + std::to_string(objects) + "/edges";
-            const auto run = [light, objects](auto& state) {
-                measure(state, Lixel::OptimalOptions::technique(),
-                        std::make_shared<Lixel::OptimalOptions>(
-                            Lixel::OptimalOptions{.edgeWeight = 0.6}),
-                        light.kind, objects, false);
-            };
-            benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
-        }
+    const std::pair<const char*, Lixel::OptimalOptions> variants[] = {
+        {"/edges", {.edgeWeight = 0.6}}, {"/skewed", {.skewedMaps = true}}};
+    for (const auto& [variant, options] : variants)
+        for (const Light& light : Lights)
+            for (const int objects : Sizes) {
+                const std::string name =
+                    std::string("Optimal/") + light.name + "/" + std::to_string(objects) + variant;
+                const auto run = [light, objects, options](auto& state) {
+                    measure(state, Lixel::OptimalOptions::technique(),
+                            std::make_shared<Lixel::OptimalOptions>(options), light.kind, objects,
+                            false);
+                };
+                benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
+            }
     for (const Light& light : Lights)
         for (const int objects : Sizes)
             for (const bool strips : {false, true}) {

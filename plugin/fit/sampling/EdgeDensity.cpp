@@ -76,23 +76,33 @@ void EdgeDensity::add(const BoxSet& casters, double nearDistance) {
     }
 }
 
-void EdgeDensity::addEdge(Vec2 middle, Vec2 half, double lsDepth) {
-    // middle + t half, for t from -1 to 1, cut to the grid (Liang and Barsky 1984).
+bool EdgeDensity::cutToGrid(Vec2& middle, Vec2& half) const {
+    // middle + t half, for t from -1 to 1 (Liang and Barsky 1984).
     constexpr auto End = static_cast<double>(Cells);
     double from = -1.0;
     double to = 1.0;
     for (int axis = 0; axis < 2; ++axis) {
+        if (half[axis] == 0.0) continue; // addAt leaves out what is beside the grid
         const double first = (mLiLeast[axis] - middle[axis]) / half[axis];
         const double last = (mLiLeast[axis] + End / mScale[axis] - middle[axis]) / half[axis];
-        if (half[axis] == 0.0) continue; // addAt leaves out what is beside the grid
         from = std::max(from, std::min(first, last));
         to = std::min(to, std::max(first, last));
     }
-    if (!(from < to)) return;
+    if (!(from < to)) return false;
     middle += (from + to) / 2.0 * half;
     half *= (to - from) / 2.0;
+    return true;
+}
+
+void EdgeDensity::addEdge(Vec2 middle, Vec2 half, double lsDepth) {
+    const auto cellsOf = [&] { return 2.0 * half.cwiseProduct(mScale).norm(); };
+    double cells = cellsOf();
+    // Of shorter edges addAt leaves out what is beside the grid, a cell's length at a time.
+    if (cells > static_cast<double>(Cells)) {
+        if (!cutToGrid(middle, half)) return;
+        cells = cellsOf();
+    }
     const double length = 2.0 * half.norm();
-    const double cells = 2.0 * half.cwiseProduct(mScale).norm();
     const double count = std::clamp(std::ceil(cells), 1.0, MostPoints);
     for (double i = 0.0; i < count; i += 1.0)
         addAt(middle + ((2.0 * i + 1.0) / count - 1.0) * half, lsDepth, length / count);

@@ -54,6 +54,8 @@ private:
 
     Place place(const Vec2& inCells, double lsDepth) const;
     void addEdge(Vec2 middle, Vec2 half, double lsDepth);
+    /// Leaves of an edge, middle ± half, what lies in the grid. @return whether anything does
+    bool cutToGrid(Vec2& middle, Vec2& half) const;
     void addAt(const Vec2& li, double lsDepth, double length);
 
     LightImage mImage;
