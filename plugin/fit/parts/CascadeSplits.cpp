@@ -30,6 +30,12 @@ constexpr double CutStep = 0.693; // ln 2
 /// Least ratio of nearest and farthest: an eye that touches a receiver wants no slice for it.
 constexpr double LeastNearRatio = 1e-4;
 
+/// Least ratio of farthest and nearest: where all that is seen is at one depth, a wall that the viewer
+/// faces or the ground from straight above, no slices meet there. Rounding would decide for each of
+/// its points which map serves it. A receiver finds its map by depths in float, with an error of 2^-20
+/// or so.
+constexpr double LeastDepthRatio = 1.0 + 0x1p-10;
+
 /// Relative rounding of a near plane's depth that comes from a projection matrix in float.
 constexpr double NearRounding = 0x1p-16;
 
@@ -92,6 +98,7 @@ bool findDepths(const ShadowProblem& problem, CascadeMemory& memory, CascadeScra
     }
     nearest = std::max(nearest, LeastNearRatio * farthest);
     if (!(nearest > 0.0) || !std::isfinite(farthest)) return false;
+    farthest = std::max(farthest, LeastDepthRatio * nearest);
     settle(nearest, farthest, viewOf(problem, image, region), memory);
     return true;
 }

@@ -82,6 +82,21 @@ TEST(CascadeSplits, AreLogarithmicBetweenWhatIsSeen) {
     EXPECT_NEAR(splits[1], 50.0, 1e-6);
 }
 
+TEST(CascadeSplits, AreNotWhereAllThatIsSeenIs) {
+    // A wall that the viewer faces: its points must not be divided by rounding.
+    for (const double depth : {0.7, 10.0, 300.0}) {
+        const Scene scene = wallsAt(depth, depth);
+        for (const double uniformity : {0.0, 0.5, 1.0})
+            for (const std::size_t count : {2U, 3U, 4U}) {
+                const std::vector<double> splits =
+                    splitsOf(scene, count, {.uniformity = uniformity});
+                ASSERT_EQ(splits.size(), count - 1);
+                for (const double split : splits)
+                    EXPECT_GT(std::abs(split / depth - 1.0), 0x1p-13);
+            }
+    }
+}
+
 TEST(CascadeSplits, AreEqualWhereUniformityIsOne) {
     const std::vector<double> splits = splitsOf(wallsAt(10.0, 40.0), 3, {.uniformity = 1.0});
     ASSERT_EQ(splits.size(), 2U);
