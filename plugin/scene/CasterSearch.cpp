@@ -50,7 +50,7 @@ void CasterSearch::collect(const Survey& survey, const NodeCuller& volume) {
         }
         if (!touches && volume.excludes(object->getWorldBoundingBox(), guess)) continue;
         const bool casts = rules.draws(*object) && rules.casts(*object);
-        if (rules.canBeKnown(*object, store, slot))
+        if (SceneRules::canBeKnown(*object, store, slot))
             store->know(slot, NodeStore::CastsKnown | (casts ? unsigned{NodeStore::Casts} : 0U));
         if (casts) addCaster(*object, object->getWorldBoundingBox(), survey.wsOrigin());
     }

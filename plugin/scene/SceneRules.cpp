@@ -78,7 +78,7 @@ SceneRules::SceneRules(const Ogre::Camera& viewer, const Ogre::Viewport& viewpor
 }
 
 bool SceneRules::canBeKnown(const Ogre::MovableObject& object, const NodeStore* store,
-                            NodeStore::Slot slot) const {
+                            NodeStore::Slot slot) {
     if (store == nullptr || slot == NodeStore::NoSlot ||
         object.getWorldBoundingBox() != store->box(slot))
         return false;

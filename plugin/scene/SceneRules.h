@@ -28,11 +28,11 @@ public:
 
     /// All that answers depend on beside the objects, where these say the same for every camera.
     const Fingerprint& fingerprint() const { return mFingerprint; }
-    /// Whether a store may keep the answers about an object for whoever asks by the same rules: for
-    /// another camera, where it keeps them for long.
+    /// Whether a store may keep answers about an object. It gives them to all who ask by the same
+    /// rules; where changes are announced, to other cameras too.
     /// @param slot of the node that has no other object; NoSlot for others
-    bool canBeKnown(const Ogre::MovableObject& object, const NodeStore* store,
-                    NodeStore::Slot slot) const;
+    static bool canBeKnown(const Ogre::MovableObject& object, const NodeStore* store,
+                           NodeStore::Slot slot);
 
     /// Whether it is drawn where it is in view: visible by its own flag and by the masks of scene
     /// manager and viewport, and more than a place for others.

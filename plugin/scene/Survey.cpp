@@ -103,7 +103,7 @@ void Survey::forgetObjects() const {
 void Survey::visit(const NodeWalk::Object& found) {
     Ogre::MovableObject& object = *found.object;
     const auto know = [&](unsigned bits) {
-        if (mRules.canBeKnown(object, mStore, found.slot))
+        if (SceneRules::canBeKnown(object, mStore, found.slot))
             mStore->know(found.slot, NodeStore::ReceivesKnown | NodeStore::CastsKnown | bits);
     };
     if (!mRules.draws(object)) return know(0);

@@ -71,6 +71,12 @@ double widestMargin(const CommonOptions& options) {
     return MarginShare * options.lastingMaps;
 }
 
+/// As Survey::take wants them.
+std::size_t wantedParts(const CommonOptions& options) {
+    if (!options.meshHulls || options.meshParts <= 0) return 0;
+    return static_cast<std::size_t>(std::max(options.meshParts, FewestMeshParts));
+}
+
 /// The fingerprint of the casters found, read once.
 /// @param each as CasterFingerprint::take
 const CasterFingerprint& castersOf(LightMemory& memory, bool each) {
@@ -254,11 +260,8 @@ void FittedShadowCameraSetup::prepareMap(const Request& request, const ShadowTar
     NodeStore* const store = findStore(*viewer.getSceneManager());
     // Whoever proves takes nothing for granted: what was read of objects is forgotten.
     if (iteration == 0 && store != nullptr && isProofMode()) store->beginReading({});
-    const TimedSurvey& timed =
-        surveyFor(viewer, viewport, light.getShadowFarDistance(), widestMargin(mCommon),
-                  mCommon.meshHulls && mCommon.meshParts > 0
-                      ? static_cast<std::size_t>(std::max(mCommon.meshParts, FewestMeshParts))
-                      : 0);
+    const TimedSurvey& timed = surveyFor(viewer, viewport, light.getShadowFarDistance(),
+                                         widestMargin(mCommon), wantedParts(mCommon));
     const Survey& survey = timed.survey;
     ShadowProblem problem = describe(request, survey, memory);
     const auto searchBegin = Clock::now();

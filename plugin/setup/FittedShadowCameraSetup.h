@@ -78,7 +78,7 @@ struct CommonOptions {
         Shadows' edges do not crawl meanwhile. */
     double lastingMaps = 0.0;
     /** Whether setups that judge maps by samples (XPSM, Optimal, cascades) judge by what the viewer's
-        frame before showed, of which a few pixels' depths are read back without waiting for the GPU,
+        frame before showed: the depths of a few of its pixels, read back without waiting for the GPU,
         instead of by view rays against boxes and meshes. Where he sees what was hidden then, rays are
         used nevertheless. Needs OpenGL and a viewport with a depth buffer; setVisiblePoints goes
         first. @see feedbackStatistics */

@@ -36,18 +36,24 @@ std::optional<OrientedRectangle> lastRectangle(const Polygon2& warped, const Lig
                                       std::numbers::pi / 2.0));
 }
 
-/// The unit vectors along a rectangle's sides.
-std::array<Vec2, 2> axesOf(const OrientedRectangle& rectangle) {
+/// Bounds of a region along a map's axes.
+struct AxisBounds {
+    std::array<Vec2, 2> axes;
+    Vec2 min;
+    Vec2 max;
+};
+
+AxisBounds boundsOf(const OrientedRectangle& rectangle) {
     const Vec2 x(std::cos(rectangle.angle), std::sin(rectangle.angle));
-    return {x, Vec2(-x.y(), x.x())};
+    return {{x, Vec2(-x.y(), x.x())}, rectangle.min, rectangle.max};
 }
 
 /// Widens bounds about their middle where they are too narrow to be more than rounding.
-void widen(Vec2& min, Vec2& max, const Vec2& size, double liReach) {
-    const double longest = (max - min).maxCoeff();
+void widen(AxisBounds& bounds, const Vec2& size, double liReach) {
+    const double longest = (bounds.max - bounds.min).maxCoeff();
     for (int axis = 0; axis < 2; ++axis) {
-        double& lower = min[axis];
-        double& upper = max[axis];
+        double& lower = bounds.min[axis];
+        double& upper = bounds.max[axis];
         const double least = std::max(longest * LeastAspect, size[axis] * LeastTexel * liReach);
         if (upper - lower < least) {
             const double middle = (lower + upper) / 2.0;
@@ -66,13 +72,6 @@ double magnification(const Polygon2& warped, const Vec2& warp, const Vec2& axis)
         greatest = std::max(greatest, (1.0 - warp.dot(p)) * (axis - axis.dot(p) * warp).norm());
     return greatest;
 }
-
-/// Bounds of a region along a map's axes.
-struct AxisBounds {
-    std::array<Vec2, 2> axes;
-    Vec2 min;
-    Vec2 max;
-};
 
 /// Texels that rounding of positions moves addresses by at most, along each axis of the map.
 Vec2 roundingTexels(const Polygon2& warped, const Vec2& warp, double liReach,
@@ -95,7 +94,7 @@ void setMap(const AxisBounds& bounds, const Vec2& rounding, const ShadowProblem&
     affine.mapAngle = std::atan2(x.y(), x.x());
     if (affine.mapAngle < 0.0) affine.mapAngle += std::numbers::pi;
     if (affine.mapAngle >= std::numbers::pi) affine.mapAngle = 0.0;
-    affine.mapSkew = std::atan2(-x.dot(y), x.x() * y.y() - x.y() * y.x());
+    affine.mapSkew = std::atan2(-x.dot(y), cross(x, y));
     affine.mapFromWarped.setIdentity();
     for (int i = 0; i < 2; ++i) {
         const Vec2& axis = bounds.axes[static_cast<std::size_t>(i)];
@@ -138,32 +137,33 @@ Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const 
                    const Vec2& warp, double liReach, const std::optional<WorldAxes>& wsLast) {
     Affine result{};
     const Vec2 size(problem.mapWidth, problem.mapHeight);
-    OrientedRectangle rectangle = smallestRectangle(warped);
+    const OrientedRectangle rectangle = smallestRectangle(warped);
     std::optional<OrientedRectangle> last = lastRectangle(warped, image, wsLast);
     // Where the two are the same up to rounding, the one that a fresh state finds is taken. A kept
     // axis stays as it is: nothing may creep while nothing moves.
     if (last && !(last->area() > rectangle.area() * (1.0 + SameArea))) last.reset();
     const bool small = last && last->area() * (1.0 - OrientationGain) <= rectangle.area();
 
-    const auto place = [&](OrientedRectangle& placed) {
-        widen(placed.min, placed.max, size, liReach);
-        return roundingTexels(warped, warp, liReach, {axesOf(placed), placed.min, placed.max},
-                              size);
+    const auto place = [&](AxisBounds& placed) {
+        widen(placed, size, liReach);
+        return roundingTexels(warped, warp, liReach, placed, size);
     };
-    Vec2 rounding = place(rectangle);
+    AxisBounds bounds = boundsOf(rectangle);
+    Vec2 rounding = place(bounds);
     result.rounding = rounding.maxCoeff();
-    result.wsMapAxes = axesInWorld({axesOf(rectangle)}, image);
+    result.wsMapAxes = axesInWorld({bounds.axes}, image);
     if (last) {
-        const Vec2 lastRounding = place(*last);
+        AxisBounds lastBounds = boundsOf(*last);
+        const Vec2 lastRounding = place(lastBounds);
         // Along other axes a narrow side may have finer texels than the border makes up for.
         result.turned = !small || lastRounding.maxCoeff() > GreatestBorderRounding;
         if (!result.turned) {
-            rectangle = *last;
+            bounds = lastBounds;
             rounding = lastRounding;
             result.wsMapAxes = wsLast;
         }
     }
-    setMap({axesOf(rectangle), rectangle.min, rectangle.max}, rounding, problem, result);
+    setMap(bounds, rounding, problem, result);
     return result;
 }
 
@@ -177,7 +177,7 @@ Affine placeAlong(const ShadowProblem& problem, const LightImage& image, const P
         bounds.max[i] = support(warped, axis);
         bounds.min[i] = -support(warped, -axis);
     }
-    widen(bounds.min, bounds.max, size, liReach);
+    widen(bounds, size, liReach);
     const Vec2 rounding = roundingTexels(warped, warp, liReach, bounds, size);
     if (!(rounding.maxCoeff() <= GreatestBorderRounding)) return smallest;
     Affine result{};

@@ -46,7 +46,7 @@ Mat3 warpMatrix(const Vec2& warp, const Vec2& centre);
 
     @param warped the focus region's hull after the warp
     @param liReach the distance over which positions are measured, as a length in the light image
-    @param wsLast the last map's axes, of which the first counts
+    @param wsLast the last map's axes; the first one alone counts
 */
 Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
                    const Vec2& warp, double liReach, const std::optional<WorldAxes>& wsLast);

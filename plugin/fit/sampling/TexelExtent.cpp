@@ -21,8 +21,8 @@ constexpr double GreatestAxesArea = 1.2;
 /// within what samples can tell.
 constexpr double LeastAxesGain = 0.02;
 
-/// Gain for which the last map's axes are given up: the extent of a texel goes with the square root
-/// of the map's area, of which a turned rectangle has to save a tenth (MapPlacement.cpp).
+/// Gain for which the last map's axes are given up: half the share of the map's area that a turned
+/// rectangle has to save (MapPlacement.cpp), since a texel's extent goes with the area's square root.
 constexpr double TurnedAxesGain = 0.05;
 
 /// The count rounded up to whole fours.
@@ -195,7 +195,7 @@ double TexelExtent::operator()(const Vec2& warp) {
     return sumOver(mSamples, inFours(mCount), warp, map) / static_cast<double>(mCount);
 }
 
-double TexelExtent::extentAlong(const Vec2& normal) const {
+TexelExtent::Extent TexelExtent::extentAlong(const Vec2& normal) const {
     double least = Infinity;
     double most = -Infinity;
     for (std::size_t i = 0; i < mVertices; ++i) {
@@ -203,55 +203,48 @@ double TexelExtent::extentAlong(const Vec2& normal) const {
         least = std::min(least, along);
         most = std::max(most, along);
     }
-    return most - least;
+    return {normal, most - least};
 }
 
-std::optional<MapSides> TexelExtent::sidesOf(const std::array<Vec2, 2>& normals) const {
-    const auto& [a, b] = normals;
-    const double sine = a.x() * b.y() - a.y() * b.x();
+std::optional<MapSides> TexelExtent::sidesOf(const Extent& a, const Extent& b) {
+    const double sine = cross(a.normal, b.normal);
     if (!(sine > LeastAxesSine)) return std::nullopt;
     // A side runs along the other axis' lines, as far as its own coordinate goes from end to end.
-    return MapSides{extentAlong(a) / sine * Vec2(b.y(), -b.x()),
-                    extentAlong(b) / sine * Vec2(-a.y(), a.x())};
+    return MapSides{a.length / sine * Vec2(b.normal.y(), -b.normal.x()),
+                    b.length / sine * Vec2(-a.normal.y(), a.normal.x())};
 }
 
 std::optional<MapAxes> TexelExtent::chooseAxes(const Vec2& warp,
                                                const std::optional<MapAxes>& last) {
     const MapSides rectangle = warpHull(warp);
     if (!(rectangle.u.norm() > 0.0 && rectangle.v.norm() > 0.0)) return std::nullopt;
-    const std::size_t count = inFours(mCount);
+    const auto sumFor = [&](const MapSides& sides) {
+        return sumOver(mSamples, inFours(mCount), warp, sides);
+    };
     const Vec2 along = rectangle.u.stableNormalized();
     MapAxes best{{along, Vec2(-along.y(), along.x())}};
-    const double rectangleSum = sumOver(mSamples, count, warp, rectangle);
+    double bestSum = sumFor(rectangle);
+    const double worthwhile = (1.0 - LeastAxesGain) * bestSum;
     const double greatestArea = GreatestAxesArea * rectangle.u.norm() * rectangle.v.norm();
-    double leastSum = (1.0 - LeastAxesGain) * rectangleSum;
-    bool isRectangle = true;
+    mAcross.clear();
+    for (std::size_t i = 0; i < mVertices; ++i)
+        mAcross.push_back(extentAlong(
+            Vec2(mWarpedY[i] - mWarpedY[i + 1], mWarpedX[i + 1] - mWarpedX[i]).stableNormalized()));
     for (std::size_t i = 0; i < mVertices; ++i)
         for (std::size_t k = i + 1; k < mVertices; ++k) {
-            std::array<Vec2, 2> normals;
-            for (const std::size_t which : {0, 1}) {
-                const std::size_t edge = which == 0 ? i : k;
-                normals[which] =
-                    Vec2(mWarpedY[edge] - mWarpedY[edge + 1], mWarpedX[edge + 1] - mWarpedX[edge])
-                        .stableNormalized();
-            }
-            if (normals[0].x() * normals[1].y() < normals[0].y() * normals[1].x())
-                normals[1] = -normals[1];
-            const auto sides = sidesOf(normals);
-            if (!sides || !(std::abs(sides->u.x() * sides->v.y() - sides->u.y() * sides->v.x()) <=
-                            greatestArea))
-                continue;
-            const double sum = sumOver(mSamples, count, warp, *sides);
-            if (!(sum < leastSum)) continue;
-            leastSum = sum;
-            best.normals = normals;
-            isRectangle = false;
+            const Extent& a = mAcross[i];
+            Extent b = mAcross[k];
+            if (cross(a.normal, b.normal) < 0.0) b.normal = -b.normal;
+            const auto sides = sidesOf(a, b);
+            if (!sides || !(std::abs(cross(sides->u, sides->v)) <= greatestArea)) continue;
+            const double sum = sumFor(*sides);
+            if (!(sum < std::min(bestSum, worthwhile))) continue;
+            bestSum = sum;
+            best.normals = {a.normal, b.normal};
         }
     if (!last) return best;
-    const auto kept = sidesOf(last->normals);
-    if (!kept) return best;
-    const double keptSum = sumOver(mSamples, count, warp, *kept);
-    if (!(keptSum * (1.0 - TurnedAxesGain) <= (isRectangle ? rectangleSum : leastSum))) return best;
+    const auto kept = sidesOf(extentAlong(last->normals[0]), extentAlong(last->normals[1]));
+    if (!kept || !(sumFor(*kept) * (1.0 - TurnedAxesGain) <= bestSum)) return best;
     return MapAxes{last->normals, true};
 }
 

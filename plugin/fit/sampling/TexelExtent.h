@@ -75,17 +75,23 @@ private:
                           const MapSides& map);
     /// Warps the hull. @return the sides of the smallest rectangle around it
     MapSides warpHull(const Vec2& warp);
-    /// How far the warped hull reaches along a unit vector, from end to end.
-    double extentAlong(const Vec2& normal) const;
-    /// The sides of the map with these axes around the warped hull; none where they are nearly
+    /// A unit normal, and how far the warped hull reaches along it, from end to end.
+    struct Extent {
+        Vec2 normal;
+        double length;
+    };
+    Extent extentAlong(const Vec2& normal) const;
+    /// The sides of the map with these two axes around the warped hull; none where they are nearly
     /// parallel.
-    std::optional<MapSides> sidesOf(const std::array<Vec2, 2>& normals) const;
+    static std::optional<MapSides> sidesOf(const Extent& a, const Extent& b);
 
     SampleColumns mSamples;
     std::size_t mCount = 0;
     // The hull about the centre, and warped.
     std::size_t mVertices = 0;
     std::vector<double> mHullX, mHullY, mWarpedX, mWarpedY;
+    /// Across each edge of the warped hull, while axes are chosen.
+    std::vector<Extent> mAcross;
 };
 
 } // namespace Lixel

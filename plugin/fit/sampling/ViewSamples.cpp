@@ -274,6 +274,14 @@ void placeDiscs(std::span<const KnownSurface> surfaces, const ShadowViewer& view
     }
 }
 
+/// Sends one round's rays as far as what they meet first.
+void castRound(const Mat4& clipFromWorld, std::size_t round, const BoxSet& boxes,
+               std::span<const KnownSurface> surfaces, SampleScratch& scratch) {
+    scratch.rays.cast(clipFromWorld, round);
+    scratch.rays.meet(boxes, surfaces);
+    scratch.rays.meet(scratch.discs);
+}
+
 /// Collects what an earlier frame showed, or else what view rays see of the receivers: of their
 /// known surfaces, and of the boxes of all others.
 void traceReceivers(const ShadowProblem& problem, const LightImage& image,
@@ -296,11 +304,7 @@ void traceReceivers(const ShadowProblem& problem, const LightImage& image,
     for (std::size_t round = 0; round < rounds && !collector.complete(); ++round) {
         const bool casts =
             traces && (round == 0 || (round < ViewRays::Rounds && collector.count() < enough));
-        if (casts) {
-            rays.cast(clipFromWorld, round);
-            rays.meet(boxes, problem.surfaces);
-            rays.meet(scratch.discs);
-        }
+        if (casts) castRound(clipFromWorld, round, boxes, problem.surfaces, scratch);
         visitSpread(ViewRays::Count, [&](std::size_t i) {
             if (seen != nullptr && seen->isKnown(i)) {
                 if (const SeenPicture::Point* const point =
@@ -332,9 +336,7 @@ void traceView(const ShadowViewer& viewer, const BoxSet& boxes,
     placeDiscs(others, viewer, scratch.discs);
     points.clear();
     for (std::size_t round = 0; round < ViewRays::Rounds; ++round) {
-        scratch.rays.cast(clipFromWorld, round);
-        scratch.rays.meet(boxes, surfaces);
-        scratch.rays.meet(scratch.discs);
+        castRound(clipFromWorld, round, boxes, surfaces, scratch);
         for (std::size_t i = 0; i < ViewRays::Count; ++i)
             points.push_back(scratch.rays.hit(i) ? scratch.rays.point(i)
                                                  : VisiblePoint{Vec3::Zero(), Vec3::Zero()});

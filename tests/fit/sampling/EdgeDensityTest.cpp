@@ -41,14 +41,21 @@ BoxSet setOf(const Aabb& box) {
     return boxes;
 }
 
+/// Of one box, in a square of 16 by 16, for receivers at these depths.
+EdgeDensity edgesOf(const LightImage& image, const Aabb& box,
+                    const Vec2& lsRange = Vec2(0.0, 30.0)) {
+    EdgeDensity edges;
+    edges.reset(image, squareHull(8.0), lsRange);
+    edges.add(setOf(box), 0.1);
+    edges.finish();
+    return edges;
+}
+
 } // namespace
 
 TEST(EdgeDensity, ABoxUnderTheSunHasThePerimeterOfItsTop) {
     const LightImage image = sunAbove();
-    EdgeDensity edges;
-    edges.reset(image, squareHull(8.0), Vec2(0.0, 30.0));
-    edges.add(setOf({Vec3(1.0, -10.0, -2.0), Vec3(3.0, 0.0, 1.5)}), 0.1);
-    edges.finish();
+    const EdgeDensity edges = edgesOf(image, {Vec3(1.0, -10.0, -2.0), Vec3(3.0, 0.0, 1.5)});
     EXPECT_NEAR(lengthIn(edges, 8.0, 30.0), 2.0 * (6.0 + 3.0), 1e-6);
     EXPECT_EQ(edges.turnsOf(2.0 * 64.0 / (16.0 * 16.0)), 2.0);
 }
@@ -67,10 +74,7 @@ RC_GTEST_PROP(EdgeDensity, ABoxHasThePerimeterOfItsOutline, ()) {
     double perimeter = 0.0;
     for (std::size_t i = 0; i < outline.size(); ++i)
         perimeter += (outline[(i + 1) % outline.size()] - outline[i]).norm();
-    EdgeDensity edges;
-    edges.reset(image, squareHull(8.0), Vec2(-10.0, 10.0));
-    edges.add(setOf(box), 0.1);
-    edges.finish();
+    const EdgeDensity edges = edgesOf(image, box, Vec2(-10.0, 10.0));
     RC_ASSERT(std::abs(lengthIn(edges, 8.0, 10.0) - perimeter) < 1e-6 * perimeter);
 }
 
@@ -78,10 +82,7 @@ TEST(EdgeDensity, OfAnEdgeThatGoesFarBeyondTheGridIsThatOfItsPartWithin) {
     // Two edges from one side of the grid to the other, wherever along them the box's middle is.
     const LightImage image = sunAbove();
     const auto densityFor = [&](double x) {
-        EdgeDensity edges;
-        edges.reset(image, squareHull(8.0), Vec2(0.0, 30.0));
-        edges.add(setOf({Vec3(x, -10.0, 0.0), Vec3(800.0, 0.0, 2.0)}), 0.1);
-        edges.finish();
+        const EdgeDensity edges = edgesOf(image, {Vec3(x, -10.0, 0.0), Vec3(800.0, 0.0, 2.0)});
         return std::pair(lengthIn(edges, 8.0, 30.0),
                          edges.at(image.project(image.lsFromPoint(Vec3(0.3, -10.0, 2.0))), 30.0));
     };
@@ -97,11 +98,8 @@ TEST(EdgeDensity, OfAnEdgeThatGoesFarBeyondTheGridIsThatOfItsPartWithin) {
 
 TEST(EdgeDensity, LiesAroundTheOutline) {
     const LightImage image = sunAbove();
-    EdgeDensity edges;
-    edges.reset(image, squareHull(8.0), Vec2(0.0, 30.0));
     // As wide as high, so that light space's turn about the light does not matter.
-    edges.add(setOf({Vec3(0.0, -10.0, 0.0), Vec3(4.0, 1.0, 4.0)}), 0.1);
-    edges.finish();
+    const EdgeDensity edges = edgesOf(image, {Vec3(0.0, -10.0, 0.0), Vec3(4.0, 1.0, 4.0)});
     const double there = edges.at(Vec2(4.0, 0.5), 30.0);
     EXPECT_NEAR(there, edges.at(Vec2(-4.0, 0.5), 30.0), 1e-9);
     EXPECT_NEAR(there, edges.at(Vec2(0.5, 4.0), 30.0), 1e-9);
@@ -113,10 +111,7 @@ TEST(EdgeDensity, LiesAroundTheOutline) {
 
 TEST(EdgeDensity, CountsWhatLiesBeforeAReceiver) {
     const LightImage image = sunAbove();
-    EdgeDensity edges;
-    edges.reset(image, squareHull(8.0), Vec2(0.0, 30.0));
-    edges.add(setOf({Vec3(0.0, -10.0, 0.0), Vec3(2.0, 0.0, 2.0)}), 0.1);
-    edges.finish();
+    const EdgeDensity edges = edgesOf(image, {Vec3(0.0, -10.0, 0.0), Vec3(2.0, 0.0, 2.0)});
     const Vec2 li(2.0, 0.0);
     const double behind = edges.at(li, 30.0);
     EXPECT_GT(behind, 0.0);
