@@ -74,6 +74,8 @@ void LixelSceneNode::noteObjects() {
 }
 
 void LixelSceneNode::updateFromParentImpl() const {
+    // Its box is next.
+    if (mSlot != NodeStore::NoSlot) mStore->prefetchPlace(mSlot);
     SceneNode::updateFromParentImpl();
     if (mMatters) mStore->noteChange();
 }
@@ -92,6 +94,7 @@ void LixelSceneNode::_updateBounds() {
         mSlot = NodeStore::NoSlot;
         return;
     }
+    mStore->prefetchBox(mSlot);
     // OGRE asserts on boxes of objects at places that are not finite.
     const bool placed = isFinite(_getFullTransform());
     if (placed) {

@@ -1,9 +1,11 @@
 #include "scene/BoxBlock.h"
 
 #include "fit/geometry/Multiversion.h"
+#include "fit/geometry/Simd.h"
 #include "scene/SpatialKey.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -15,41 +17,102 @@ namespace {
 /// operation (2⁻²⁴), and covers the slack of CasterVolume (2⁻²¹).
 constexpr float Rounding = 0x1p-19F;
 
-LIXEL_MULTIVERSION void reachIntoPlane(const BoxBlock& block, const ScanPlanes::Plane& plane,
-                                       BoxBlock::Reach& least) {
-    float* into = least;
-    for (const BoxBlock::Eight& eight : block.boxes) {
-        for (std::size_t lane = 0; lane < BoxBlock::Lanes; ++lane) {
-            float reach = plane.offset;
-            for (int axis = 0; axis < 3; ++axis)
-                reach += plane.normal[axis] * eight.centre[axis][lane] +
-                         plane.size[axis] * eight.half[axis][lane];
-            into[lane] = into[lane] < reach ? into[lane] : reach;
+/// Compares boxes with the planes that cut their block, eight at a time.
+LIXEL_MULTIVERSION void compare(const BoxBlock& block, const ScanPlanes& planes,
+                                const BoxBlock::Cut& cut, BoxBlock::Found& found) {
+    for (std::size_t i = 0; i * BoxBlock::Lanes < block.count; ++i) {
+        const BoxBlock::Eight& eight = block.boxes[i];
+        std::array<EightFloats, 3> centre;
+        std::array<EightFloats, 3> half;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            load(eight.centre[axis], centre[axis]);
+            load(eight.half[axis], half[axis]);
         }
-        into += BoxBlock::Lanes;
+        EightMask inside = EightMask{} == 0;
+        EightMask outside{};
+        for (std::size_t k = 0; k < cut.count; ++k) {
+            const std::size_t plane = cut.planes[k];
+            EightFloats reach = EightFloats{} + planes.offset[plane];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                reach += planes.normal[axis][plane] * centre[axis] +
+                         planes.size[axis][plane] * half[axis];
+            inside &= reach > cut.doubt;
+            outside |= reach < -cut.doubt;
+        }
+        const std::size_t shift = i * BoxBlock::Lanes;
+        found.certain |= std::uint64_t{bitsOf(inside)} << shift;
+        found.doubtful |= std::uint64_t{bitsOf(~inside & ~outside)} << shift;
+    }
+    found.certain &= block.allBoxes();
+    found.doubtful &= block.allBoxes();
+}
+
+/// Compares a block's own box with planes, eight at a time.
+LIXEL_MULTIVERSION void cutBlock(const BoxBlock& block, const ScanPlanes& planes,
+                                 BoxBlock::Cut& cut) {
+    float middle[3];
+    float half[3];
+    float size = 0.0F;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        middle[axis] = (block.lower[axis] + block.upper[axis]) / 2.0F;
+        half[axis] = (block.upper[axis] - block.lower[axis]) / 2.0F;
+        size += std::max(std::abs(block.lower[axis]), std::abs(block.upper[axis]));
+    }
+    for (std::size_t first = 0; first < planes.count; first += BoxBlock::Lanes) {
+        EightFloats offset;
+        load(planes.offset + first, offset);
+        EightFloats at = offset;
+        EightFloats reach{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            EightFloats normal;
+            EightFloats along;
+            load(planes.normal[axis] + first, normal);
+            load(planes.size[axis] + first, along);
+            at += normal * middle[axis];
+            reach += along * half[axis];
+        }
+        const EightFloats doubt = Rounding * ((offset < 0.0F ? -offset : offset) + size);
+        const unsigned valid = (1U << std::min(planes.count - first, BoxBlock::Lanes)) - 1;
+        if ((bitsOf(at + reach < -doubt) & valid) != 0) {
+            cut.side = BoxBlock::Side::Outside;
+            return;
+        }
+        // What is not a number is not inside.
+        for (unsigned cuts = ~bitsOf(at - reach > doubt) & valid; cuts != 0; cuts &= cuts - 1) {
+            const int lane = std::countr_zero(cuts);
+            cut.side = BoxBlock::Side::Cut;
+            cut.planes[cut.count++] = static_cast<std::uint8_t>(first + lane);
+            cut.doubt = std::max(cut.doubt, doubt[lane]);
+        }
     }
 }
 
 /// Lowest and highest coordinates of the block's boxes along one axis.
 LIXEL_MULTIVERSION void findEnds(const BoxBlock& block, int axis, float& lowest, float& highest) {
-    float lower[BoxBlock::Lanes];
-    float upper[BoxBlock::Lanes];
-    std::fill_n(lower, BoxBlock::Lanes, std::numeric_limits<float>::infinity());
-    std::fill_n(upper, BoxBlock::Lanes, -std::numeric_limits<float>::infinity());
-    const auto widen = [&](const BoxBlock::Eight& eight, std::size_t lane) {
-        const float low = eight.centre[axis][lane] - eight.half[axis][lane];
-        const float high = eight.centre[axis][lane] + eight.half[axis][lane];
-        lower[lane] = low < lower[lane] ? low : lower[lane];
-        upper[lane] = high > upper[lane] ? high : upper[lane];
-    };
+    EightFloats lower = EightFloats{} + std::numeric_limits<float>::infinity();
+    EightFloats upper = -lower;
     const std::size_t whole = block.count / BoxBlock::Lanes;
-    for (std::size_t i = 0; i < whole; ++i)
-        for (std::size_t lane = 0; lane < BoxBlock::Lanes; ++lane)
-            widen(block.boxes[i], lane);
-    for (std::size_t lane = 0; lane < block.count % BoxBlock::Lanes; ++lane)
-        widen(block.boxes[whole], lane);
-    lowest = *std::min_element(lower, lower + BoxBlock::Lanes);
-    highest = *std::max_element(upper, upper + BoxBlock::Lanes);
+    for (std::size_t i = 0; i < whole; ++i) {
+        EightFloats centre;
+        EightFloats half;
+        load(block.boxes[i].centre[axis], centre);
+        load(block.boxes[i].half[axis], half);
+        const EightFloats low = centre - half;
+        const EightFloats high = centre + half;
+        lower = low < lower ? low : lower;
+        upper = high > upper ? high : upper;
+    }
+    lowest = lower[0];
+    highest = upper[0];
+    for (std::size_t lane = 1; lane < BoxBlock::Lanes; ++lane) {
+        lowest = std::min(lowest, lower[lane]);
+        highest = std::max(highest, upper[lane]);
+    }
+    for (std::size_t lane = 0; lane < block.count % BoxBlock::Lanes; ++lane) {
+        const BoxBlock::Eight& last = block.boxes[whole];
+        lowest = std::min(lowest, last.centre[axis][lane] - last.half[axis][lane]);
+        highest = std::max(highest, last.centre[axis][lane] + last.half[axis][lane]);
+    }
 }
 
 } // namespace
@@ -61,10 +124,9 @@ FlatBox FlatBox::of(const Ogre::AxisAlignedBox& bounds) {
 }
 
 bool FlatBox::hasBounds() const {
-    float sum = 0.0F;
-    for (int axis = 0; axis < 3; ++axis)
-        sum += std::abs(centre[axis]) + half[axis];
-    return std::isfinite(sum);
+    // Sums that do not wait for each other.
+    return std::isfinite((std::abs(centre[0]) + half[0]) +
+                         ((std::abs(centre[1]) + half[1]) + (std::abs(centre[2]) + half[2])));
 }
 
 std::uint64_t FlatBox::key() const {
@@ -74,10 +136,10 @@ std::uint64_t FlatBox::key() const {
 ScanPlanes::ScanPlanes(const NodeCuller& volume) : count(volume.size()) {
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            list[i].normal[axis] = static_cast<float>(volume[i].normal[axis]);
-            list[i].size[axis] = std::abs(list[i].normal[axis]);
+            normal[axis][i] = static_cast<float>(volume[i].normal[axis]);
+            size[axis][i] = std::abs(normal[axis][i]);
         }
-        list[i].offset = static_cast<float>(volume[i].offset);
+        offset[i] = static_cast<float>(volume[i].offset);
     }
 }
 
@@ -115,7 +177,18 @@ void BoxBlock::append(std::uint32_t slot, const FlatBox& box) {
 bool BoxBlock::replace(std::size_t index, const FlatBox& box) {
     const unsigned before = endsReached(index);
     write(index, box);
-    return (before & ~endsReached(index)) != 0;
+    // Most boxes reach no end.
+    return before != 0 && (before & ~endsReached(index)) != 0;
+}
+
+bool BoxBlock::keeps(const FlatBox& box) const {
+    const std::uint64_t size = sizeClass(box.half);
+    bool kept = size >= firstKey >> SizeClassShift && size <= endKey >> SizeClassShift;
+    // No comparison with a NaN holds.
+    for (int axis = 0; axis < 3; ++axis)
+        kept = kept & (box.centre[axis] - box.half[axis] >= lower[axis]) &
+               (box.centre[axis] + box.half[axis] <= upper[axis]);
+    return kept;
 }
 
 unsigned BoxBlock::endsReached(std::size_t index) const {
@@ -135,33 +208,17 @@ void BoxBlock::findBounds() {
 
 BoxBlock::Cut BoxBlock::cutBy(const ScanPlanes& planes) const {
     Cut cut;
-    if (count == 0) cut.side = Side::Outside;
-    for (std::size_t i = 0; i < planes.count && cut.side != Side::Outside; ++i) {
-        const ScanPlanes::Plane& plane = planes.list[i];
-        float middle = plane.offset;
-        float reach = 0.0F;
-        float terms = std::abs(plane.offset);
-        for (int axis = 0; axis < 3; ++axis) {
-            middle += plane.normal[axis] * ((lower[axis] + upper[axis]) / 2.0F);
-            reach += plane.size[axis] * ((upper[axis] - lower[axis]) / 2.0F);
-            terms += std::max(std::abs(lower[axis]), std::abs(upper[axis]));
-        }
-        const float doubt = Rounding * terms;
-        if (middle + reach < -doubt) {
-            cut.side = Side::Outside;
-        } else if (!(middle - reach > doubt)) {
-            cut.side = Side::Cut;
-            cut.planes[cut.count++] = i;
-            cut.doubt = std::max(cut.doubt, doubt);
-        }
-    }
+    if (count == 0)
+        cut.side = Side::Outside;
+    else
+        cutBlock(*this, planes, cut);
     return cut;
 }
 
-void BoxBlock::reachInto(const ScanPlanes& planes, const Cut& cut, Reach& least) const {
-    std::fill_n(least, Capacity, std::numeric_limits<float>::infinity());
-    for (std::size_t i = 0; i < cut.count; ++i)
-        reachIntoPlane(*this, planes.list[cut.planes[i]], least);
+BoxBlock::Found BoxBlock::touching(const ScanPlanes& planes, const Cut& cut) const {
+    Found found;
+    compare(*this, planes, cut, found);
+    return found;
 }
 
 } // namespace Lixel

@@ -2,6 +2,7 @@
 
 #include "scene/NodeCuller.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -20,14 +21,15 @@ struct FlatBox {
     std::uint64_t key() const;
 };
 
-/// A volume's planes in single precision.
+/// A volume's planes in single precision: each number of eight planes lies beside the same of the
+/// next, for vector registers. Lanes beyond `count` are no planes.
 struct ScanPlanes {
-    struct Plane {
-        float normal[3];
-        float size[3];
-        float offset;
-    };
-    std::array<Plane, NodeCuller::Capacity> list;
+    static constexpr std::size_t Capacity = (NodeCuller::Capacity + 7) / 8 * 8;
+
+    float normal[3][Capacity]{};
+    /// The normal's, without signs.
+    float size[3][Capacity]{};
+    float offset[Capacity]{};
     std::size_t count;
 
     explicit ScanPlanes(const NodeCuller& volume);
@@ -41,7 +43,6 @@ struct ScanPlanes {
 struct BoxBlock {
     static constexpr std::size_t Lanes = 8;
     static constexpr std::size_t Capacity = 8 * Lanes;
-    using Reach = float[Capacity];
 
     struct alignas(64) Eight {
         float centre[3][Lanes];
@@ -55,7 +56,14 @@ struct BoxBlock {
         Side side = Side::Inside;
         float doubt = 0.0F;
         std::size_t count = 0;
-        std::array<std::size_t, NodeCuller::Capacity> planes;
+        std::array<std::uint8_t, NodeCuller::Capacity> planes;
+    };
+    /// Boxes, a bit each.
+    struct Found {
+        /// Those that touch the volume.
+        std::uint64_t certain = 0;
+        /// Those that may, as far as single precision tells; and what is not a number.
+        std::uint64_t doubtful = 0;
     };
 
     BoxBlock();
@@ -67,6 +75,9 @@ struct BoxBlock {
     /// The same for a box that was there.
     /// @returns whether the block's own box may be larger than it need be now
     bool replace(std::size_t index, const FlatBox& box);
+    /// Whether a box that was in the block may stay there, whatever its key is: it is of the block's
+    /// sizes, and the block needs to be no larger for it.
+    bool keeps(const FlatBox& box) const;
     /// Which ends of the block's own box a box reaches, a bit each: without it the block may be
     /// smaller.
     unsigned endsReached(std::size_t index) const;
@@ -74,11 +85,19 @@ struct BoxBlock {
     void findBounds();
 
     Cut cutBy(const ScanPlanes& planes) const;
-    /// For each box, how far it reaches into the half spaces of the cutting planes at least:
-    /// negative where it is outside of one.
-    void reachInto(const ScanPlanes& planes, const Cut& cut, Reach& least) const;
+    /// The boxes that touch a volume which cuts the block.
+    Found touching(const ScanPlanes& planes, const Cut& cut) const;
+    /// A bit for each box.
+    std::uint64_t allBoxes() const {
+        return count < Capacity ? (std::uint64_t{1} << count) - 1 : ~std::uint64_t{0};
+    }
+    /// The key of the block's part of the order that is next to this one.
+    std::uint64_t keyWithin(std::uint64_t key) const {
+        return firstKey < endKey ? std::clamp(key, firstKey, endKey - 1) : firstKey;
+    }
 
-    /// Boxes whose keys are at least this and less than the next block's first one are here.
+    /// Boxes that come with keys from the first to before the end belong here. Those that wander
+    /// stay for as long as the block keeps them.
     std::uint64_t firstKey = 0;
     std::uint64_t endKey = 0;
     /// Around all boxes.

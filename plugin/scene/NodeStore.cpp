@@ -23,6 +23,12 @@ void setBit(std::vector<std::uint64_t>& bits, Slot slot) {
     bits[slot / 64] |= std::uint64_t{1} << (slot % 64);
 }
 
+/// Sets the bits of the slots of some of a block's boxes.
+void setBits(std::vector<std::uint64_t>& bits, const BoxBlock& block, std::uint64_t boxes) {
+    for (; boxes != 0; boxes &= boxes - 1)
+        setBit(bits, block.slots[std::countr_zero(boxes)]);
+}
+
 void listBits(const std::vector<std::uint64_t>& bits, std::vector<Slot>& slots) {
     for (std::size_t word = 0; word < bits.size(); ++word)
         for (std::uint64_t rest = bits[word]; rest != 0; rest &= rest - 1)
@@ -57,7 +63,9 @@ void NodeStore::set(Slot slot, const Ogre::AxisAlignedBox& bounds, const Ogre::S
         return;
     }
     const FlatBox box = bounds.isFinite() ? FlatBox::of(bounds) : FlatBox{};
-    if (!bounds.isFinite() || !box.hasBounds()) {
+    // Asked first: finding a box's key, and whether it has bounds, takes longer.
+    const bool stays = place.block != nullptr && bounds.isFinite() && place.block->keeps(box);
+    if (!stays && (!bounds.isFinite() || !box.hasBounds())) {
         if (place.unbounded) return;
         takeAway(slot);
         place.unbounded = true;
@@ -66,8 +74,9 @@ void NodeStore::set(Slot slot, const Ogre::AxisAlignedBox& bounds, const Ogre::S
         ++mSize;
         return;
     }
-    const std::uint64_t key = box.key();
-    if (place.block != nullptr && key >= place.block->firstKey && key < place.block->endKey) {
+    const std::uint64_t key = stays ? 0 : box.key();
+    if (stays ||
+        (place.block != nullptr && key >= place.block->firstKey && key < place.block->endKey)) {
         if (place.block->replace(place.index, box)) noteLoose(*place.block);
         return;
     }
@@ -151,7 +160,7 @@ void NodeStore::split(std::size_t position) {
     };
     std::array<Keyed, BoxBlock::Capacity> order;
     for (std::size_t i = 0; i < BoxBlock::Capacity; ++i)
-        order[i] = {whole.box(i).key(), i};
+        order[i] = {whole.keyWithin(whole.box(i).key()), i};
     std::ranges::sort(order, {}, &Keyed::key);
     // Equal keys stay together, unless there are no others.
     std::size_t middle = BoxBlock::Capacity / 2;
@@ -227,19 +236,11 @@ void NodeStore::find(const NodeCuller& volume, NodeSearch& search) const {
     for (const std::unique_ptr<BoxBlock>& block : mBlocks) {
         const BoxBlock::Cut cut = block->cutBy(planes);
         if (cut.side == BoxBlock::Side::Outside) continue;
-        if (cut.side == BoxBlock::Side::Inside) {
-            for (std::size_t i = 0; i < block->count; ++i)
-                setBit(search.foundBits, block->slots[i]);
-            continue;
-        }
-        BoxBlock::Reach least;
-        block->reachInto(planes, cut, least);
-        for (std::size_t i = 0; i < block->count; ++i) {
-            if (least[i] > cut.doubt)
-                setBit(search.foundBits, block->slots[i]);
-            else if (!(least[i] < -cut.doubt)) // what is not a number is in doubt
-                setBit(search.doubtfulBits, block->slots[i]);
-        }
+        const BoxBlock::Found found = cut.side == BoxBlock::Side::Inside
+                                          ? BoxBlock::Found{.certain = block->allBoxes()}
+                                          : block->touching(planes, cut);
+        setBits(search.foundBits, *block, found.certain);
+        setBits(search.doubtfulBits, *block, found.doubtful);
     }
     for (const Slot slot : mUnbounded)
         setBit(search.doubtfulBits, slot);
@@ -254,6 +255,13 @@ void NodeStore::prefetch(Slot slot) const {
     // An object's flags and an entity's parts come after its name and before its animation.
     if (mPlaces[slot].object != nullptr)
         prefetchObject(mPlaces[slot].object, sizeof(Ogre::MovableObject) + sizeof(void*) * 8);
+}
+
+void NodeStore::prefetchBox(Slot slot) const {
+    const Place& place = mPlaces[slot];
+    if (place.block == nullptr) return;
+    prefetchObject(place.block, offsetof(BoxBlock, boxes));
+    prefetchObject(&place.block->boxes[place.index / BoxBlock::Lanes], sizeof(BoxBlock::Eight));
 }
 
 std::size_t NodeStore::cutBlocks(const NodeCuller& volume) const {

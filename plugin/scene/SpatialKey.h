@@ -23,6 +23,18 @@ inline std::uint64_t spreadBits(std::uint64_t bits) {
     return bits;
 }
 
+/// The size class of a box. @see spatialKey
+inline std::uint64_t sizeClass(const float* halfExtents) {
+    float size = halfExtents[0];
+    if (halfExtents[1] > size) size = halfExtents[1];
+    if (halfExtents[2] > size) size = halfExtents[2];
+    // Every second exponent, which leaves 7 bits of them.
+    return std::bit_cast<std::uint32_t>(size) >> 24 & 0x7FU;
+}
+
+/// How far to the left of a key the size class stands.
+inline constexpr int SizeClassShift = 57;
+
 /** Sorts boxes so that neighbours in the order are of like size and near to each other.
 
     Above all the size class, so that a ground is not among the stones on it; below it the centre's
@@ -34,15 +46,10 @@ inline std::uint64_t spreadBits(std::uint64_t bits) {
 inline std::uint64_t spatialKey(const float* centre, const float* halfExtents) {
     // 12 + 7 bits of a coordinate: its sign, exponent and 10 bits of its mantissa.
     constexpr int CoordinateShift = 32 - 19;
-    float size = halfExtents[0];
-    if (halfExtents[1] > size) size = halfExtents[1];
-    if (halfExtents[2] > size) size = halfExtents[2];
-    // Every second exponent, which leaves 7 bits of them.
-    const std::uint64_t sizeClass = std::bit_cast<std::uint32_t>(size) >> 24 & 0x7FU;
     std::uint64_t morton = 0;
     for (int axis = 0; axis < 3; ++axis)
         morton |= spreadBits(orderedBits(centre[axis]) >> CoordinateShift) << axis;
-    return sizeClass << 57 | morton;
+    return sizeClass(halfExtents) << SizeClassShift | morton;
 }
 
 } // namespace Lixel

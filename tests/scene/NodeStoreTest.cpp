@@ -86,6 +86,20 @@ protected:
         mFound += expected.size();
     }
 
+    /// Compares how many blocks a view of a twentieth of the world cuts with how many it cuts where
+    /// the same boxes were just added.
+    void expectSearchesLikeANewStore() {
+        NodeStore fresh;
+        for (const Entry& entry : mEntries)
+            fresh.set(fresh.add(*entry.node), entry.box, Ogre::Sphere());
+        fresh.tighten();
+        NodeCuller volume;
+        for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+            volume.add(normal, 110.0, Vec3::Zero());
+        EXPECT_LE(4 * mStore.cutBlocks(volume), 5 * fresh.cutBlocks(volume));
+        expectFinds(volume);
+    }
+
     std::mt19937 mEngine{7};
     NodeStore mStore;
     std::vector<Entry> mEntries;
@@ -196,6 +210,31 @@ TEST_F(NodeStoreTest, KeepsNeighboursInOneBlock) {
         volume.add(normal, 220.0, Vec3::Zero());
     EXPECT_LT(mStore.cutBlocks(volume), mStore.blockCount() / 3);
     EXPECT_LT(mStore.blockCount(), 20000U / 24);
+}
+
+TEST_F(NodeStoreTest, KeepsNeighboursInOneBlockWhileTheyWander) {
+    for (int i = 0; i < 5000; ++i)
+        add(randomBox(500));
+    for (int step = 0; step < 100; ++step) {
+        for (Entry& entry : mEntries) {
+            const Vector3 shift(between(-20, 20), 0, between(-20, 20));
+            move(entry, {entry.box.getMinimum() + shift, entry.box.getMaximum() + shift});
+        }
+        mStore.tighten();
+    }
+    expectSearchesLikeANewStore();
+}
+
+TEST_F(NodeStoreTest, KeepsNoSmallBoxesAmongLargeOnes) {
+    // Each of these is as large as their world, and so is what holds any of them.
+    for (int i = 0; i < 2000; ++i)
+        add({Vector3(-500), Vector3(500)});
+    for (Entry& entry : mEntries) {
+        const Vector3 centre(between(-400, 400), 0, between(-400, 400));
+        move(entry, {centre - Vector3(1), centre + Vector3(1)});
+    }
+    mStore.tighten();
+    expectSearchesLikeANewStore();
 }
 
 } // namespace

@@ -9,7 +9,8 @@
 #include <emmintrin.h>
 #endif
 
-/** Four numbers that are worked on at once: a register of AVX2, or two of SSE2.
+/** Four numbers, or eight in single precision, that are worked on at once: a register of AVX2, or
+    two of SSE2.
 
     These are GCC's vector types: GCC does not vectorise loops over short arrays by itself.
     Everything here is inlined into each clone of a function (Multiversion.h), and so compiled for
@@ -24,6 +25,10 @@ using FourBits = std::uint64_t __attribute__((vector_size(32)));
 /// A vector in space for each lane.
 using FourVectors = std::array<Four, 3>;
 
+using EightFloats = float __attribute__((vector_size(32)));
+using EightMask = std::int32_t __attribute__((vector_size(32)));
+using EightBits = std::uint32_t __attribute__((vector_size(32)));
+
 // References where values would do: how wide vectors are passed depends on the processor.
 
 [[gnu::always_inline]] inline void load(const double* from, Four& result) {
@@ -31,6 +36,14 @@ using FourVectors = std::array<Four, 3>;
 }
 
 [[gnu::always_inline]] inline void store(const Four& value, double* to) {
+    std::memcpy(to, &value, sizeof(value));
+}
+
+[[gnu::always_inline]] inline void load(const float* from, EightFloats& result) {
+    std::memcpy(&result, from, sizeof(result));
+}
+
+[[gnu::always_inline]] inline void store(const EightFloats& value, float* to) {
     std::memcpy(to, &value, sizeof(value));
 }
 
@@ -61,6 +74,22 @@ std::array<double, 4> parts(const Vector& v) {
     std::memcpy(&bits, &mask, sizeof(bits));
     bits >>= 63;
     return static_cast<unsigned>(bits[0] | (bits[1] << 1) | (bits[2] << 2) | (bits[3] << 3));
+#endif
+}
+
+[[gnu::always_inline]] inline unsigned bitsOf(const EightMask& mask) {
+#ifdef __SSE2__
+    const auto low = __builtin_shufflevector(mask, mask, 0, 1, 2, 3);
+    const auto high = __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(low)) |
+                                 _mm_movemask_ps(reinterpret_cast<__m128>(high)) << 4);
+#else
+    EightBits bits;
+    std::memcpy(&bits, &mask, sizeof(bits));
+    unsigned result = 0;
+    for (unsigned lane = 0; lane < 8; ++lane)
+        result |= bits[lane] >> 31 << lane;
+    return result;
 #endif
 }
 
