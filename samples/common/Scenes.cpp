@@ -87,6 +87,8 @@ void applyView(const SampleView& view, Ogre::Camera& camera) {
 
 void applyLight(const SampleLight& light, Ogre::Light& ogreLight) {
     Ogre::SceneNode& node = *ogreLight.getParentSceneNode();
+    // OGRE turns a node from where it was, and what rounding does would depend on that.
+    node.resetOrientation();
     node.setPosition(light.position);
     ogreLight.setDiffuseColour(light.colour);
     ogreLight.setSpecularColour(light.colour);
