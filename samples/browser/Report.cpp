@@ -1,12 +1,13 @@
 #include "browser/Report.h"
 
+#include "common/PictureFile.h"
+
 #include <Lixel/material/OnDemandPrograms.h>
 #include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/MapPlan.h>
 #include <Lixel/setup/VisiblePointFeedback.h>
 
 #include <OgreGpuProgram.h>
-#include <OgreImage.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -33,21 +34,6 @@ Programs countPrograms() {
 }
 
 } // namespace
-
-void savePicture(const std::vector<std::uint8_t>& rgb, int width, int height,
-                 const std::string& file) {
-    // OGRE wants mutable bytes and does not write to them.
-    std::vector<std::uint8_t> bytes = rgb;
-    Ogre::Image image;
-    image.loadDynamicImage(bytes.data(), static_cast<Ogre::uint32>(width),
-                           static_cast<Ogre::uint32>(height), 1, Ogre::PF_BYTE_RGB);
-    try {
-        image.save(file);
-    } catch (const Ogre::Exception& error) {
-        throw std::runtime_error("the picture '" + file +
-                                 "' could not be written: " + error.getDescription());
-    }
-}
 
 void drawHeadless(Stage& stage, const SampleScene& scene, const BrowserOptions& options) {
     if (options.proof) setProofMode(true, [&stage] { stage.finish(); });

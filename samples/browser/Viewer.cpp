@@ -1,7 +1,7 @@
 #include "browser/Viewer.h"
 
-#include "browser/Report.h"
 #include "common/FileWatch.h"
+#include "common/PictureFile.h"
 #include "common/PlanCounts.h"
 
 #include <Lixel/reload/Reload.h>
