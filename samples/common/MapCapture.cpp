@@ -90,6 +90,16 @@ void MapCapture::begin(const NamedSetup& setup, int mapSize, double shadowDistan
 }
 
 CapturedFrame MapCapture::nextFrame(Draws draws) {
+    return takeFrame(draws, [this] { mStage.drawFrame(); });
+}
+
+std::vector<std::uint8_t> MapCapture::nextVisibility() {
+    std::vector<std::uint8_t> visibility;
+    takeFrame(Draws::Everything, [&] { visibility = mStage.drawVisibility(); });
+    return visibility;
+}
+
+CapturedFrame MapCapture::takeFrame(Draws draws, const std::function<void()>& draw) {
     mFrame = {};
     mReason = FitReason::None;
     mFrame.maps.assign(mSetup.maps, EmulatedMap{});
@@ -97,7 +107,7 @@ CapturedFrame MapCapture::nextFrame(Draws draws) {
     // Maps are planned alike whether they are drawn or not: it is switched off after that.
     mDraws = draws;
     setDrawing(true);
-    mStage.drawFrame();
+    draw();
     setDrawing(false);
     mFrame.surveyMicroseconds = mWork.survey;
     mFrame.fitMicroseconds = mWork.fit;

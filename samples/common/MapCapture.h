@@ -9,6 +9,10 @@
 
 #include <OgreSceneManager.h>
 
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 namespace Lixel::Samples {
 
 /// The shadow maps of one frame.
@@ -57,8 +61,12 @@ public:
                const Eigen::Vector3d& wsOrigin);
     /// The next frame of what was begun, for the camera as it is now.
     CapturedFrame nextFrame(Draws draws = Draws::Nothing);
+    /// The same, all of it drawn: how much of the light each pixel gets, as Stage::drawVisibility.
+    std::vector<std::uint8_t> nextVisibility();
 
 private:
+    /// @param draw draws a frame of the stage's
+    CapturedFrame takeFrame(Draws draws, const std::function<void()>& draw);
     void shadowMapFitted(const ShadowMap& map) override;
     void shadowTexturesUpdated(std::size_t) override {
         if (mDraws != Draws::Everything) setDrawing(false);

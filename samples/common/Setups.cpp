@@ -1,5 +1,6 @@
 #include "common/Setups.h"
 
+#include <Lixel/material/ShadowParameters.h>
 #include <Lixel/setup/SetupList.h>
 #include <Lixel/setup/ShadowCameraSetups.h>
 
@@ -84,12 +85,40 @@ public:
     }
 };
 
+/** Tells Lixel's receivers which split serves them: OGRE's materials compare their depth in front
+    of the viewer with the splits' depths, Lixel's look for the greatest of the maps' functions. */
+class ObservedSplits : public ObservedShadowCameraSetup {
+public:
+    explicit ObservedSplits(const std::shared_ptr<ThreeSplitSetup>& splits)
+        : ObservedShadowCameraSetup(splits, 0), mSplits(splits) {}
+
+    void getShadowCamera(const Ogre::SceneManager* sceneManager, const Ogre::Camera* viewer,
+                         const Ogre::Viewport* viewport, const Ogre::Light* light,
+                         Ogre::Camera* shadowCamera, std::size_t iteration) const override {
+        ObservedShadowCameraSetup::getShadowCamera(sceneManager, viewer, viewport, light,
+                                                   shadowCamera, iteration);
+        // Sums of depth - split: the one of the next map grows past the one before where the depth
+        // passes the split between them.
+        const auto& depths = mSplits->getSplitPoints();
+        const auto maps = static_cast<Ogre::Real>(iteration);
+        Ogre::Vector4 share = -maps * Ogre::Vector4(viewer->getViewMatrix(true)[2]);
+        for (std::size_t i = 1; i <= iteration; ++i)
+            share.w -= depths.at(i);
+        // OGRE hands out its own, mutable light as const.
+        const_cast<Ogre::Light*>(light)->setCustomParameter(
+            static_cast<Ogre::uint16>(LP_MAP_ROW_SHARE + LP_MAP_STEP * iteration), share);
+    }
+
+private:
+    std::shared_ptr<ThreeSplitSetup> mSplits;
+};
+
 NamedSetup threeSplits() {
     NamedSetup setup;
     setup.name = "Ogre-PSSM-3";
     setup.title = "OGRE: parallel split, three splits";
     setup.create = [] {
-        return ObservedShadowCameraSetup::create(std::make_shared<ThreeSplitSetup>());
+        return std::make_shared<ObservedSplits>(std::make_shared<ThreeSplitSetup>());
     };
     setup.maps = SplitCount;
     setup.splitDepths = [](const Ogre::Camera& viewer, double shadowDistance) {

@@ -1,6 +1,7 @@
 #include "common/Stage.h"
 
 #include "common/ResourceFile.h"
+#include "common/VisibilitySurfaces.h"
 #ifdef LIXEL_SAMPLES_RTSS
 #include "common/ShaderSystemStage.h"
 #endif
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 // Answered by libGL with a window, by OSMesa when headless.
@@ -250,6 +252,8 @@ std::vector<std::uint8_t> Stage::drawVisibility(std::vector<bool>* isLit) {
     auto& materials = Ogre::MaterialManager::getSingleton();
     mSceneManager->setShadowTextureReceiverMaterial(
         materials.getByName("Lixel/Receiver/Visibility"));
+    std::optional<VisibilitySurfaces> surfaces;
+    if (mSceneManager->isShadowTechniqueIntegrated()) surfaces.emplace(*mSceneManager);
     drawFrame();
     const std::vector<std::uint8_t> rgb = picture();
     mSceneManager->setShadowTextureReceiverMaterial(materials.getByName(ShownReceiver));

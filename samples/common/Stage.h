@@ -74,6 +74,7 @@ public:
 
     /** Draws a frame that shows, instead of the scene, how much of the light each pixel gets: one
         byte each, row 0 at the top, 255 for lit. Exactly the frame that drawFrame would draw.
+        Of lights with several maps, too, where the scene manager has an integrated technique.
 
         In a scene of OGRE's shader system it follows from three frames: what the light adds to a
         pixel, as a part of what it would add without shadows; 0 where that is nothing.

@@ -184,8 +184,9 @@ public:
     }
 
     void compare(const NamedSetup& setup) {
+        MapCapture capture(mStage);
         std::vector<EmulatedMap> maps =
-            MapCapture(mStage).capture(setup, MapTexels, mReach, mOracle->scene().wsOrigin);
+            capture.capture(setup, MapTexels, mReach, mOracle->scene().wsOrigin);
         ASSERT_EQ(maps.size(), 1U);
         const double depthError = DrawnBias / maps.front().depthPerWorldUnit;
         maps.front().extraBias = depthError;
@@ -201,14 +202,9 @@ public:
             }
         }
 
-        mStage.setShadowSetup(setup.create());
-        // OGRE's setups settle, as they did for the capture. Lixel's were captured in their first
-        // frame, and go on searching in those that follow.
-        const int settling = setup.name.starts_with("Ogre") ? 2 : 0;
-        for (int i = 0; i < settling; ++i)
-            mStage.drawFrame();
+        capture.begin(setup, MapTexels, mReach, mOracle->scene().wsOrigin);
         const ClassificationError drawn =
-            compareWithTruth(mEmulation->truth(), mStage.drawVisibility());
+            compareWithTruth(mEmulation->truth(), capture.nextVisibility());
 
         fmt::print("  {:<13} drawn {:6.3f} % (acne {:5.3f}, leaks {:5.3f}), emulated {:6.3f} % "
                    "({:5.3f}, {:5.3f}), depths known to {:.4f}\n",

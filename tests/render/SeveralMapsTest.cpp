@@ -3,8 +3,8 @@
 #include "TestStage.h"
 
 #include "common/MapCapture.h"
+#include "common/Measurement.h"
 #include "common/OracleView.h"
-#include "common/Surface.h"
 
 #include <fmt/core.h>
 
@@ -15,44 +15,6 @@ namespace {
 
 using namespace Samples;
 
-constexpr const char* White = "Test/Visibility";
-
-/// White where lit, black in shadow, by the nearest texel of up to six maps of an integrated light.
-const char* const WhiteScript = R"(
-import * from "Lixel.program"
-import * from "Lixel.material"
-
-fragment_program Test/VisibilityFP glsl : Lixel/ReceiverFP/Maps6
-{
-    preprocessor_defines LIXEL_VISIBILITY_ONLY=1,LIXEL_MAPS=6
-}
-
-material Test/Visibility : Lixel/Surface/Integrated/Maps6
-{
-    technique
-    {
-        pass Light
-        {
-            fragment_program_ref Test/VisibilityFP
-            {
-            }
-        }
-    }
-}
-)";
-
-void showVisibility(Stage& stage) {
-    Ogre::MaterialManager& materials = Ogre::MaterialManager::getSingleton();
-    if (!materials.resourceExists(White, Ogre::RGN_DEFAULT)) {
-        Ogre::DataStreamPtr script = std::make_shared<Ogre::MemoryDataStream>(
-            const_cast<char*>(WhiteScript), std::strlen(WhiteScript), false, true);
-        materials.parseScript(script, Ogre::RGN_DEFAULT);
-    }
-    stage.sceneManager().setAmbientLight(Ogre::ColourValue::Black);
-    for (const auto& [name, object] : stage.sceneManager().getMovableObjects("Entity"))
-        static_cast<Ogre::Entity*>(object)->setMaterial(materials.getByName(White));
-}
-
 void setMaps(Stage& stage, int side, std::size_t count) {
     Ogre::SceneManager& manager = stage.sceneManager();
     manager.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
@@ -61,15 +23,6 @@ void setMaps(Stage& stage, int side, std::size_t count) {
         manager.setShadowTextureCountPerLightType(type, count);
     manager.setShadowTextureSettings(static_cast<Ogre::ushort>(side),
                                      static_cast<Ogre::ushort>(count), Ogre::PF_FLOAT32_R);
-}
-
-ClassificationError drawnError(Stage& stage, const ShadowTruth& truth) {
-    stage.drawFrame();
-    const std::vector<std::uint8_t> rgb = stage.picture();
-    std::vector<std::uint8_t> visibility(rgb.size() / 3);
-    for (std::size_t i = 0; i < visibility.size(); ++i)
-        visibility[i] = rgb[3 * i];
-    return compareWithTruth(truth, visibility);
 }
 
 class SeveralMaps : public testing::TestWithParam<const char*> {};
@@ -87,21 +40,21 @@ TEST_P(SeveralMaps, OfTheSunAreDrawnAsEmulated) {
     MapEmulation emulation(oracle, stage.sceneManager().getShadowCasterRenderBackFaces()
                                        ? CasterFaces::Backs
                                        : CasterFaces::Fronts);
-    showVisibility(stage);
+    MapCapture capture(stage);
     const NamedSetup& setup = *findEmulatedSetup(GetParam());
     for (const SampleLight& light : std::span(scene.lights).first(2)) {
         stage.setView(scene.views.front());
         stage.setLight(light);
         emulation.setView(oracleView(stage.camera(), Width, Height, reach));
         emulation.setLight(oracleLight(stage.light()));
-        const auto maps = MapCapture(stage).capture(setup, MapSize, reach, oracle.scene().wsOrigin);
+        const auto maps = capture.capture(setup, MapSize, reach, oracle.scene().wsOrigin);
         ASSERT_EQ(maps.size(), setup.maps);
         EXPECT_GT(maps[0].width, 0);
         const ClassificationError expected = emulation.error(maps);
 
-        setMaps(stage, maps[0].width, setup.maps);
-        stage.setShadowSetup(setup.create());
-        const ClassificationError drawn = drawnError(stage, emulation.truth());
+        capture.begin(setup, MapSize, reach, oracle.scene().wsOrigin);
+        const ClassificationError drawn =
+            compareWithTruth(emulation.truth(), capture.nextVisibility());
         fmt::print("{}, {}: drawn {:.3f} %, emulated {:.3f} %, {} shadowed pixels\n", setup.name,
                    light.name, drawn.error, expected.error, drawn.shadowed);
         EXPECT_GT(drawn.shadowed, 1000U);
@@ -113,7 +66,7 @@ TEST_P(SeveralMaps, OfTheSunAreDrawnAsEmulated) {
 
 INSTANTIATE_TEST_SUITE_P(Setups, SeveralMaps,
                          testing::Values("Cascades-2", "Cascades-3", "Uniform-Cascades-3",
-                                         "Stable-Cascades-3", "Cube"),
+                                         "Stable-Cascades-3", "Cube", "Ogre-PSSM-3"),
                          [](const auto& instance) {
                              std::string name = instance.param;
                              std::erase(name, '-');
@@ -135,8 +88,7 @@ public:
 
     ClassificationError error() {
         const ShadowOracle oracle(collectTriangles(stage.sceneManager()));
-        return drawnError(stage, oracle.classify(oracleView(stage.camera(), 320, 240, 100.0),
-                                                 oracleLight(stage.light())));
+        return measureError(stage, oracle, 100.0);
     }
 };
 
@@ -146,7 +98,6 @@ TEST(PointLight, HasSixMaps) {
         Lamp lamp(3);
         LogCollector log;
         lamp.stage.setShadowSetup(findEmulatedSetup(setup)->create());
-        showVisibility(lamp.stage);
         setMaps(lamp.stage, 1024, 6);
         const ClassificationError error = lamp.error();
         fmt::print("{}: {:.3f} % of {} shadowed pixels\n", setup, error.error, error.shadowed);
@@ -190,10 +141,9 @@ TEST(PointLight, SaysWhereFacesAreMissing) {
     LogCollector log;
     // Below the lamp, whose face would otherwise show nothing.
     lamp.addCube(Ogre::Vector3(0.3F, 0.1F, 0.3F), Ogre::Vector3(0.4F, 0.2F, 0.4F));
-    showVisibility(lamp.stage);
     setMaps(lamp.stage, 512, 4);
     for (int i = 0; i < 3; ++i)
-        lamp.stage.drawFrame();
+        lamp.stage.drawVisibility();
     EXPECT_EQ(log.count("needs more shadow maps than it has"), 1U);
     // Faces that show nothing need no map: the one upwards here.
     setMaps(lamp.stage, 512, 5);
@@ -214,12 +164,9 @@ TEST(SeveralMapsOfALight, MayBeFewerThanTheMaterialReads) {
             SCOPED_TRACE(std::string(setup) + " " + std::to_string(maps));
             BoxOnGround scene("", "Uniform");
             scene.stage.setShadowSetup(findEmulatedSetup(setup)->create());
-            showVisibility(scene.stage);
             setMaps(scene.stage, 1024, maps);
             const ShadowOracle oracle(collectTriangles(scene.stage.sceneManager()));
-            const ClassificationError error = drawnError(
-                scene.stage, oracle.classify(oracleView(scene.stage.camera(), 320, 240, 100.0),
-                                             oracleLight(scene.stage.light())));
+            const ClassificationError error = measureError(scene.stage, oracle, 100.0);
             EXPECT_GT(error.shadowed, 100U);
             EXPECT_LT(error.leakPixels, error.shadowed / 10);
         }
@@ -229,7 +176,6 @@ TEST(SeveralMapsOfALight, MayBeFewerThanTheMaterialReads) {
 TEST(SeveralMapsOfALight, AreAsManyAsThereAreTextures) {
     Lamp lamp(3);
     LogCollector log;
-    showVisibility(lamp.stage);
     Ogre::SceneManager& manager = lamp.stage.sceneManager();
     manager.setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
     manager.setShadowTextureCountPerLightType(Ogre::Light::LT_POINT, 6);
