@@ -1,8 +1,7 @@
 #include "report/Table.h"
 
 #include "common/Comparison.h"
-#include "common/MapCapture.h"
-#include "common/OracleView.h"
+#include "report/CaseStage.h"
 
 #include <OgrePrerequisites.h>
 #include <fmt/core.h>
@@ -20,13 +19,6 @@ namespace {
 
 /// The scene whose cases are shown apart.
 const std::string DuelScene = "duel";
-
-double meanOf(const SomeCases& cases, const std::function<double(const TableCase&)>& value) {
-    double sum = 0.0;
-    for (const TableCase* one : cases)
-        sum += value(*one);
-    return cases.empty() ? 0.0 : sum / static_cast<double>(cases.size());
-}
 
 SomeCases casesOf(const std::vector<TableCase>& cases, const std::string& scene) {
     return casesWhere(cases, [&](const TableCase& one) { return one.scene == scene; });
@@ -64,37 +56,28 @@ void printRatios(const std::vector<NamedSetup>& setups, const std::vector<TableC
     }
 }
 
-/// One scene on a stage of its own.
 void measureScene(const SampleScene& scene, const TableOptions& options,
                   std::vector<TableCase>& cases) {
-    Stage stage({.headless = true, .width = options.width, .height = options.height});
-    stage.show(scene);
-    const double reach = static_cast<double>(scene.shadowDistance);
-    const ShadowOracle oracle(collectTriangles(stage.sceneManager()));
-    const Eigen::Vector3d& origin = oracle.scene().wsOrigin;
-    MapEmulation emulation(oracle, stage.sceneManager().getShadowCasterRenderBackFaces()
-                                       ? CasterFaces::Backs
-                                       : CasterFaces::Fronts);
-    MapCapture capture(stage);
+    CaseStage stage(scene, options);
     const std::size_t views = options.firstView ? 1 : scene.views.size();
     const std::size_t lights = std::min(options.lights, scene.lights.size());
     for (std::size_t v = 0; v < views; ++v) {
         const SampleView& view = scene.views[v];
         const auto begin = std::chrono::steady_clock::now();
         stage.setView(view);
-        emulation.setView(oracleView(stage.camera(), options.width, options.height, reach, origin));
         for (std::size_t l = 0; l < lights; ++l) {
             const SampleLight light = lightOf(scene, view, l);
             stage.setLight(light);
-            emulation.setLight(oracleLight(stage.light(), origin));
             TableCase one{scene.name, view.name,
                           light.name, light.kind == SampleLight::Kind::Directional,
                           {},         v + 1};
             for (const NamedSetup& setup : options.setups) {
-                one.errors.push_back(
-                    emulation.error(capture.capture(setup, options.mapSize, reach, origin)));
-                one.reasons.push_back(capture.reason());
+                one.errors.push_back(stage.emulate(setup));
+                one.reasons.push_back(stage.reason());
             }
+            if (options.drawn > 0 && cases.size() % options.drawn == 0)
+                for (const NamedSetup& setup : options.setups)
+                    one.drawnErrors.push_back(compareWithTruth(stage.truth(), stage.draw(setup)));
             cases.push_back(std::move(one));
         }
         const std::chrono::duration<double, std::milli> passed =
@@ -102,6 +85,14 @@ void measureScene(const SampleScene& scene, const TableOptions& options,
         fmt::print(stderr, "{}, view {} of {}: {:.0f} ms a setup and light\n", scene.name, v + 1,
                    views, passed.count() / static_cast<double>(lights * options.setups.size()));
     }
+}
+
+/// @param prefix of the keys
+void writeError(const std::string& prefix, const ClassificationError& error,
+                nlohmann::ordered_json& setup) {
+    setup[prefix + "error_percent"] = error.error;
+    setup[prefix + "acne_percent"] = error.acne;
+    setup[prefix + "leak_percent"] = error.leak;
 }
 
 } // namespace
@@ -140,6 +131,13 @@ std::array<CaseGroup, 4> groupsOf(const SomeCases& cases) {
              {"suns", among(cases, [](const TableCase& one) { return one.sun; })},
              {"duels", among(cases, [](const TableCase& one) { return one.scene == DuelScene; })},
              {"lamps", among(cases, [](const TableCase& one) { return !one.sun; })}}};
+}
+
+double meanOf(const SomeCases& cases, const std::function<double(const TableCase&)>& value) {
+    double sum = 0.0;
+    for (const TableCase* one : cases)
+        sum += value(*one);
+    return cases.empty() ? 0.0 : sum / static_cast<double>(cases.size());
 }
 
 double errorForRatio(const TableCase& one, std::size_t setup) {
@@ -209,11 +207,12 @@ void writeCases(const TableOptions& options, const std::vector<TableCase>& cases
                                    {"sun", one.sun},
                                    {"pixels_counted", one.errors.at(0).counted()},
                                    {"pixels_shadowed", one.errors.at(0).shadowed}};
-        for (std::size_t i = 0; i < options.setups.size(); ++i)
-            row["setups"][options.setups[i].name] = {{"error_percent", one.errors.at(i).error},
-                                                     {"acne_percent", one.errors.at(i).acne},
-                                                     {"leak_percent", one.errors.at(i).leak},
-                                                     {"reason", one.reasons.at(i)}};
+        for (std::size_t i = 0; i < options.setups.size(); ++i) {
+            nlohmann::ordered_json& setup = row["setups"][options.setups[i].name];
+            writeError("", one.errors.at(i), setup);
+            if (!one.drawnErrors.empty()) writeError("drawn_", one.drawnErrors.at(i), setup);
+            setup["reason"] = one.reasons.at(i);
+        }
         rows.push_back(std::move(row));
     }
     const nlohmann::ordered_json all{{"ogre", fmt::format("{}.{}.{}", OGRE_VERSION_MAJOR,

@@ -22,9 +22,10 @@ struct TableOptions {
     int mapSize = 1024;     ///< texels; several maps of a light share as many
     int width = 640;        ///< pixels
     int height = 480;       ///< pixels
+    std::size_t drawn = 0;  ///< of so many cases the first is drawn too; 0: none is
 };
 
-/// One scene, light and view under every setup of the table, emulated.
+/// One scene, light and view under every setup of the table, emulated, and in some cases drawn.
 struct TableCase {
     std::string scene;
     std::string view;
@@ -33,6 +34,8 @@ struct TableCase {
     std::vector<ClassificationError> errors; ///< in the order of the table's setups
     std::size_t viewNumber = 1;              ///< of its scene's, from 1
     std::vector<std::string> reasons{};      ///< of the setups' fits: MapCapture::reason
+    /// What is really drawn, where the case is drawn too; in the same order.
+    std::vector<ClassificationError> drawnErrors{};
 };
 
 /// The errors of every setup in every scene; says on the error stream how far it is.
@@ -68,6 +71,9 @@ struct CaseGroup {
 };
 /// "all" of some cases, and among them "suns", "duels" (suns, too) and "lamps".
 std::array<CaseGroup, 4> groupsOf(const SomeCases& cases);
+
+/// The mean of a value over cases; 0 of no cases.
+double meanOf(const SomeCases& cases, const std::function<double(const TableCase&)>& value);
 
 /// A case's error in percent, and half a pixel.
 double errorForRatio(const TableCase& one, std::size_t setup);

@@ -10,10 +10,12 @@
 #ifdef LIXEL_SAMPLES_RTSS
 #include "report/Casters.h"
 #endif
+#include "report/Drawn.h"
 #include "report/FeedbackTable.h"
 #include "report/Motion.h"
 #include "report/Rows.h"
 #include "report/Table.h"
+#include "report/WorstCases.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -47,6 +49,7 @@ struct Options {
     std::vector<std::string> kinds;
     std::vector<std::string> rows;   ///< of the table; empty for all setups
     std::optional<PictureSize> size; ///< by emulation
+    std::size_t drawn = 0;           ///< of so many cases one is drawn; 0: none is
     std::string jsonFile;
     std::string motionScene;
 };
@@ -94,6 +97,8 @@ int makeTableOfRows(TableOptions table, const Options& options) {
     }
     const std::vector<TableCase> cases = measureTable(table);
     printTable(table.setups, cases, 0);
+    printDrawn(table, cases);
+    printDrawnRatios(table, cases);
     if (!options.jsonFile.empty()) writeCases(table, cases, options.jsonFile);
     return 0;
 }
@@ -113,6 +118,7 @@ int makeTable(const Options& options) {
     table.modelFile = options.modelFile;
     table.lights = options.lights;
     table.firstView = options.firstView;
+    table.drawn = options.drawn;
     if (options.size) {
         table.width = options.size->width;
         table.height = options.size->height;
@@ -140,7 +146,10 @@ int makeTable(const Options& options) {
         const std::vector<TableCase> cases = measureTable(table);
         printTable(setups, cases, static_cast<std::size_t>(baseline - setups.begin()));
         printClaims(table, cases);
+        printDrawn(table, cases);
+        printDrawnClaims(table, cases);
         if (!options.jsonFile.empty()) writeCases(table, cases, options.jsonFile);
+        printWorstCases(table, cases);
     } catch (const std::exception& error) {
         fmt::print(stderr, "lixel-report: {}\n", error.what());
         return 1;
@@ -165,9 +174,9 @@ int main(int argc, char** argv) {
         "--kind", options.kinds, "A sample to measure instead of all; may be given several times");
     app.add_flag("--first-view", options.firstView, "The first view of each scene alone");
     // They judge no one setup.
-    auto* const table = app.add_flag("--table", options.table,
-                                     "All setups in one table, by emulation, without drawing")
-                            ->excludes(assignments);
+    auto* const table =
+        app.add_flag("--table", options.table, "All setups in one table, by emulation")
+            ->excludes(assignments);
     app.add_flag("--budgets", options.budgets,
                  "Optimal alone, by samples and evaluations, with its time, by emulation")
         ->excludes(assignments);
@@ -193,6 +202,11 @@ int main(int argc, char** argv) {
                    "With --table: a setup and its options, 'NAME KEYWORD=VALUE...', instead of all "
                    "setups; may be given several times, and the first is what others are compared "
                    "with")
+        ->needs(table);
+    app.add_option("--drawn", options.drawn,
+                   "With --table: of so many cases the first is drawn too, under all setups, and "
+                   "compared both ways")
+        ->check(CLI::PositiveNumber)
         ->needs(table);
     auto* const motion =
         app.add_flag("--motion", options.motion,

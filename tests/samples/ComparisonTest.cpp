@@ -2,11 +2,15 @@
 
 #include "common/Comparison.h"
 #include "report/Claims.h"
+#include "report/Contenders.h"
+#include "report/Drawn.h"
 #include "report/Table.h"
+#include "report/WorstCases.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <sstream>
 
@@ -96,40 +100,46 @@ TEST(Claims, TheBestIsTheFirstThatErrsLeast) {
     EXPECT_EQ(bestOf(one, {0, 2}), 2U);
 }
 
-/// The lines that printClaims prints for a kind of scene: of ratios, then of counts.
-std::vector<std::string> claimedOf(const std::string& kind, const std::vector<TableCase>& cases) {
+/// The lines that a function prints that begin with a text and a space.
+std::vector<std::string> linesOf(const std::string& begin, const std::function<void()>& print) {
     testing::internal::CaptureStdout();
-    printClaims(TableOptions{}, cases);
+    print();
     std::fflush(stdout);
     std::istringstream said(testing::internal::GetCapturedStdout());
     std::vector<std::string> lines;
     for (std::string line; std::getline(said, line);)
-        if (line.starts_with(kind + " ")) lines.push_back(line);
+        if (line.starts_with(begin + " ")) lines.push_back(line);
     return lines;
 }
 
+/// Under all setups, of which all but these two err by 4 %.
+TableCase caseWithTwo(const std::string& scene, double optimal, double uniform) {
+    TableCase one{scene, "view", "light", true, {}};
+    for (const NamedSetup& setup : emulatedSetups()) {
+        one.errors.push_back({.error = 4.0, .lit = 1000000});
+        if (setup.name == "Optimal") one.errors.back().error = optimal;
+        if (setup.name == "Uniform") one.errors.back().error = uniform;
+        one.reasons.emplace_back("none");
+    }
+    return one;
+}
+
 TEST(Claims, AreCountedByKind) {
-    const std::vector<NamedSetup>& setups = emulatedSetups();
-    const auto caseOf = [&](const std::string& scene, double optimal, double uniform) {
-        TableCase one{scene, "view", "light", true, {}};
-        for (const NamedSetup& setup : setups) {
-            one.errors.push_back({.error = 4.0, .lit = 1000000});
-            if (setup.name == "Optimal") one.errors.back().error = optimal;
-            if (setup.name == "Uniform") one.errors.back().error = uniform;
-            one.reasons.emplace_back("none");
-        }
-        return one;
+    const std::vector<TableCase> cases{
+        caseWithTwo("meadow", 1.0, 4.0), caseWithTwo("meadow", 1.0, 4.0),
+        caseWithTwo("vast", 2.0, 1.0), caseWithTwo("vast", 0.001, 0.002)};
+    // Of ratios, then of counts.
+    const auto claimedOf = [&](const std::string& kind) {
+        return linesOf(kind, [&] { printClaims(TableOptions{}, cases); });
     };
-    const std::vector<TableCase> cases{caseOf("meadow", 1.0, 4.0), caseOf("meadow", 1.0, 4.0),
-                                       caseOf("vast", 2.0, 1.0), caseOf("vast", 0.001, 0.002)};
-    const std::vector<std::string> meadow = claimedOf("meadow", cases);
+    const std::vector<std::string> meadow = claimedOf("meadow");
     ASSERT_EQ(meadow.size(), 2U);
     EXPECT_NE(meadow[0].find("2   0.250 [0.250, 0.250]"), std::string::npos) << meadow[0];
     std::istringstream counts(meadow[1].substr(6));
     std::vector<int> numbers{std::istream_iterator<int>(counts), {}};
     EXPECT_EQ(numbers, (std::vector{2, 0, 0, 0, 0, 2, 2})) << meadow[1];
 
-    const std::vector<std::string> vast = claimedOf("vast", cases);
+    const std::vector<std::string> vast = claimedOf("vast");
     ASSERT_EQ(vast.size(), 2U);
     counts = std::istringstream(vast[1].substr(4));
     numbers.assign(std::istream_iterator<int>(counts), {});
@@ -137,7 +147,30 @@ TEST(Claims, AreCountedByKind) {
     EXPECT_EQ(numbers, (std::vector{2, 1, 2, 1, 2, 2, 2})) << vast[1];
     // The ratio to the best of Lixel's leaves the second case out.
     EXPECT_NE(vast[0].find("2.000 [2.000, 2.000]"), std::string::npos) << vast[0];
-    EXPECT_EQ(claimedOf("2.00", cases).size(), 1U) << "the worst case";
+    EXPECT_EQ(linesOf("2.00", [&] { printWorstCases(TableOptions{}, cases); }).size(), 1U)
+        << "the worst case";
+}
+
+TEST(Drawn, IsComparedInTheCasesThatWereDrawn) {
+    TableCase drawn = caseWithTwo("meadow", 1.0, 4.0);
+    drawn.drawnErrors = caseWithTwo("meadow", 3.0, 2.0).errors;
+    const std::vector<TableCase> cases{drawn, caseWithTwo("vast", 2.0, 1.0)};
+    const auto said = [&](const std::string& begin) {
+        return linesOf(begin, [&] {
+            printDrawn(TableOptions{}, cases);
+            printDrawnClaims(TableOptions{}, cases);
+        });
+    };
+    std::istringstream errors(said("Optimal").at(0).substr(7));
+    std::vector<double> numbers{std::istream_iterator<double>(errors), {}};
+    EXPECT_EQ(numbers, (std::vector{1.0, 3.0, 3.0}));
+    const std::string ratios = said("Optimal / Ogre-LiSPSM").at(0);
+    EXPECT_NE(ratios.find(" 1     0.250 [0.250, 0.250]     0.750 [0.750, 0.750]"),
+              std::string::npos)
+        << ratios;
+    std::istringstream worse(said("Optimal > Uniform").at(0).substr(17));
+    EXPECT_EQ((std::vector<int>{std::istream_iterator<int>(worse), {}}), (std::vector{0, 1}));
+    EXPECT_TRUE(linesOf("Optimal", [&] { printDrawn(TableOptions{}, {cases[1]}); }).empty());
 }
 
 } // namespace
