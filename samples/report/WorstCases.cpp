@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 
 namespace Lixel::Samples {
@@ -41,7 +42,7 @@ std::string commandFor(const TableOptions& options, const TableCase& one,
     const std::string scene = findSampleScene(one.scene) == nullptr
                                   ? "--scene '" + options.modelFile + "'"
                                   : "--sample " + one.scene;
-    const std::string picture = fmt::format("{}-{}-{}-{}", one.scene, one.view, one.light, setup);
+    const std::string picture = pictureName(one, setup);
     return fmt::format("{}/lixel-browser --headless {} --view {} --light {} --setup {} --map {} "
                        "--size {}x{} --output {}.png --comparison {}-errors.png",
                        programFolder(), scene, one.viewNumber, one.light, setup, options.mapSize,
@@ -49,7 +50,7 @@ std::string commandFor(const TableOptions& options, const TableCase& one,
 }
 
 void printWorst(const TableOptions& options, const std::vector<TableCase>& cases,
-                const Contenders& contenders, std::size_t setup) {
+                const Contenders& contenders, std::size_t setup, CasePictures* pictures) {
     const std::string& name = options.setups[setup].name;
     fmt::print("\nThe worst cases of {} beside the best of Uniform and OGRE's setups of one map: "
                "ratio, errors in %, why the fit is as it is\n\n",
@@ -61,15 +62,23 @@ void printWorst(const TableOptions& options, const std::vector<TableCase>& cases
                    ratio, one->scene, one->view, one->light, error(contenders.optimal),
                    error(contenders.xpsm), error(contenders.uniform), options.setups[best].name,
                    error(best), one->reasons[setup], commandFor(options, *one, name));
+        if (pictures == nullptr) continue;
+        for (const std::size_t i : {setup, best}) {
+            const CasePictures::Picture picture = pictures->draw(*one, i);
+            fmt::print("      {}: emulated {:.3f}, drawn {:.3f}; {}\n", options.setups[i].name,
+                       error(i), picture.error, picture.file);
+        }
+        std::fflush(stdout);
     }
 }
 
 } // namespace
 
-void printWorstCases(const TableOptions& options, const std::vector<TableCase>& cases) {
+void printWorstCases(const TableOptions& options, const std::vector<TableCase>& cases,
+                     CasePictures* pictures) {
     const Contenders contenders(options.setups);
     for (const std::size_t setup : {contenders.optimal, contenders.xpsm})
-        printWorst(options, cases, contenders, setup);
+        printWorst(options, cases, contenders, setup, pictures);
 }
 
 } // namespace Lixel::Samples

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/Table.h"
+#include "report/CasePictures.h"
 
 namespace Lixel::Samples {
 
@@ -8,7 +8,9 @@ namespace Lixel::Samples {
     of one map, with a command that draws each.
 
     @param options whose setups the cases have: all of emulatedSetups()
+    @param pictures if not null, draws each case under both setups; their errors are printed too
 */
-void printWorstCases(const TableOptions& options, const std::vector<TableCase>& cases);
+void printWorstCases(const TableOptions& options, const std::vector<TableCase>& cases,
+                     CasePictures* pictures);
 
 } // namespace Lixel::Samples

@@ -6,6 +6,7 @@
 #include "common/Setups.h"
 #include "report/BestXpsm.h"
 #include "report/Budgets.h"
+#include "report/CasePictures.h"
 #include "report/Claims.h"
 #ifdef LIXEL_SAMPLES_RTSS
 #include "report/Casters.h"
@@ -50,6 +51,7 @@ struct Options {
     std::vector<std::string> rows;   ///< of the table; empty for all setups
     std::optional<PictureSize> size; ///< by emulation
     std::size_t drawn = 0;           ///< of so many cases one is drawn; 0: none is
+    std::string pictureFolder;       ///< for the worst cases; empty for no pictures
     std::string jsonFile;
     std::string motionScene;
 };
@@ -143,13 +145,16 @@ int makeTable(const Options& options) {
             return 0;
         }
         if (!options.rows.empty()) return makeTableOfRows(table, options);
+        // Made first: a folder that cannot be made is said before all is measured.
+        std::optional<CasePictures> pictures;
+        if (!options.pictureFolder.empty()) pictures.emplace(table, options.pictureFolder);
         const std::vector<TableCase> cases = measureTable(table);
         printTable(setups, cases, static_cast<std::size_t>(baseline - setups.begin()));
         printClaims(table, cases);
         printDrawn(table, cases);
         printDrawnClaims(table, cases);
         if (!options.jsonFile.empty()) writeCases(table, cases, options.jsonFile);
-        printWorstCases(table, cases);
+        printWorstCases(table, cases, pictures ? &*pictures : nullptr);
     } catch (const std::exception& error) {
         fmt::print(stderr, "lixel-report: {}\n", error.what());
         return 1;
@@ -198,16 +203,23 @@ int main(int argc, char** argv) {
            },
            "With --table: picture size, WxH; fewer pixels are measured faster")
         ->needs(table);
-    app.add_option("--row", options.rows,
-                   "With --table: a setup and its options, 'NAME KEYWORD=VALUE...', instead of all "
-                   "setups; may be given several times, and the first is what others are compared "
-                   "with")
-        ->needs(table);
+    auto* const rows =
+        app.add_option(
+               "--row", options.rows,
+               "With --table: a setup and its options, 'NAME KEYWORD=VALUE...', instead of all "
+               "setups; may be given several times, and the first is what others are compared "
+               "with")
+            ->needs(table);
     app.add_option("--drawn", options.drawn,
                    "With --table: of so many cases the first is drawn too, under all setups, and "
                    "compared both ways")
         ->check(CLI::PositiveNumber)
         ->needs(table);
+    app.add_option("--pictures", options.pictureFolder,
+                   "With --table: a folder for pictures of what is wrong with the worst cases, and "
+                   "with the best others in these")
+        ->needs(table)
+        ->excludes(rows);
     auto* const motion =
         app.add_flag("--motion", options.motion,
                      "What a walking and turning viewer sees: flicker, errors, and how often maps "

@@ -29,6 +29,11 @@ refuses 2 "--table or --motion" --budgets --json cases.json
 refuses 2 "--table or --motion" --feedback --json cases.json
 refuses 107 "--table" --size 320x240
 refuses 105 "800x600" --table --size wide
+refuses 107 "--table" --drawn 2
+refuses 105 "--drawn" --table --drawn 0
+refuses 107 "--table" --pictures pictures
+refuses 108 "--pictures" --table --row Optimal --pictures pictures
+refuses 1 "could not be made" --table --pictures /dev/null/pictures
 refuses 2 "there are: field" --kind nowhere
 refuses 2 "there are: field" --table --kind field --kind garden
 refuses 2 "--motion or --feedback" --table --frames 20

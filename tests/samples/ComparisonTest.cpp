@@ -147,7 +147,7 @@ TEST(Claims, AreCountedByKind) {
     EXPECT_EQ(numbers, (std::vector{2, 1, 2, 1, 2, 2, 2})) << vast[1];
     // The ratio to the best of Lixel's leaves the second case out.
     EXPECT_NE(vast[0].find("2.000 [2.000, 2.000]"), std::string::npos) << vast[0];
-    EXPECT_EQ(linesOf("2.00", [&] { printWorstCases(TableOptions{}, cases); }).size(), 1U)
+    EXPECT_EQ(linesOf("2.00", [&] { printWorstCases(TableOptions{}, cases, nullptr); }).size(), 1U)
         << "the worst case";
 }
 
