@@ -116,14 +116,22 @@ std::unique_ptr<DivisionMemory> CascadesShadowCameraSetup::makeDivisionMemory() 
 
 LightPartition CascadesShadowCameraSetup::divide(const ShadowProblem& problem, std::size_t maps,
                                                  DivisionMemory& memory) const noexcept {
-    if (needsParts(problem.light)) return FittedShadowCameraSetup::divide(problem, maps, memory);
     auto& own = static_cast<SliceMemory&>(memory);
-    double vsPadding = mOptions.splitPadding;
-    if (mServesOgresReceivers) vsPadding = std::max(vsPadding, 2.0 * vsNearOf(problem.viewer));
-    return divideView(problem, maps, mOptions, vsPadding, own.cascades, own.scratch, own.vsSplits,
-                      [this](const ShadowProblem& part, FitState& state) {
-                          return fitAs(*mTechnique, part, state);
-                      });
+    const auto divided = [&](const ShadowProblem& whole) {
+        double vsPadding = mOptions.splitPadding;
+        if (mServesOgresReceivers) vsPadding = std::max(vsPadding, 2.0 * vsNearOf(problem.viewer));
+        return divideView(whole, maps, mOptions, vsPadding, own.cascades, own.scratch, own.vsSplits,
+                          [this](const ShadowProblem& part, FitState& state) {
+                              return fitAs(*mTechnique, part, state);
+                          });
+    };
+    if (!needsParts(problem.light)) return divided(problem);
+    const LightPartition parts = FittedShadowCameraSetup::divide(problem, maps, memory);
+    if (parts.count != 1 || maps == 1) return parts;
+    // One cone serves the lamp, and would leave maps over.
+    LightPartition shared = divided(problemOf(problem, parts.parts.front()));
+    shared.servesAll = parts.servesAll;
+    return shared;
 }
 
 } // namespace Lixel

@@ -20,7 +20,8 @@ namespace Lixel {
     (SceneManager::setShadowTextureCountPerLightType), under an integrated shadow technique and with
     a material that reads as many, such as `Lixel/Surface/Integrated/Maps3`. Materials learn by
     themselves which map serves a point, and where slices end. A light that shines too wide for one
-    map, a point light above all, is divided by directions instead, as all setups do.
+    map, a point light above all, is divided by directions instead, as all setups do; where a single
+    cone serves it, or is all that its maps are for, that cone is divided as a spot's.
 
     @see CascadeOptions
 */

@@ -136,6 +136,22 @@ TEST(PointLight, SaysWhereOneMapIsNotEnough) {
     EXPECT_LT(lamp.visibilityAt(Ogre::Vector3(8, 0, 0)), 128);
 }
 
+/// Where one cone is all that a lamp gets, two maps show it finer than one.
+TEST(PointLight, SharesItsConeAmongCascades) {
+    for (const float height : {1.0F, 3.0F}) {
+        SCOPED_TRACE(height);
+        Lamp lamp(height);
+        setMaps(lamp.stage, 256, 2);
+        lamp.stage.setShadowSetup(findEmulatedSetup("Optimal")->create());
+        const double one = lamp.error().error;
+        lamp.stage.setShadowSetup(findEmulatedSetup("Cascades-2")->create());
+        const ClassificationError two = lamp.error();
+        fmt::print("at {} m: one map {:.3f} %, two {:.3f} %\n", height, one, two.error);
+        EXPECT_GT(two.shadowed, 1000U);
+        EXPECT_LT(two.error, 0.95 * one);
+    }
+}
+
 TEST(PointLight, SaysWhereFacesAreMissing) {
     Lamp lamp(1);
     LogCollector log;
