@@ -37,6 +37,7 @@ struct FrameOptions {
     std::vector<std::string> managers;
     int frames = 40; ///< measured, of each row
     bool draws = false;
+    bool announced = false; ///< changes of objects, to LixelSceneManager
 };
 
 /// Measures all ways of drawing scenes of that many objects, in turns, so that what slows the

@@ -1,5 +1,7 @@
 #include "BenchScene.h"
 
+#include "manager/LixelSceneManager.h"
+
 #include <OgreCamera.h>
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreTextureManager.h>
@@ -115,6 +117,11 @@ void BenchScene::setDrawing(bool draws) {
     mSkip.skips = !draws;
     for (const Viewer& viewer : mViewers)
         viewer.target().getViewport(0)->setClearEveryFrame(draws);
+}
+
+void BenchScene::announceChanges() {
+    if (auto* const own = dynamic_cast<LixelSceneManager*>(&mManager))
+        own->setChangesAnnounced(true);
 }
 
 void BenchScene::turn(int frame) {

@@ -38,6 +38,8 @@ public:
     ~BenchScene();
 
     Ogre::SceneManager& manager() { return mManager; }
+    /// Promises LixelSceneManager that changes of objects will be announced; nothing in others.
+    void announceChanges();
     std::size_t objects() const { return mNodes.size(); }
 
     /// From the next frame on.

@@ -1,15 +1,17 @@
 // lixel-bench-scene: what scene managers cost, beside one another, in whole frames.
 //
-//     lixel-bench-scene [--objects N …] [--frames K] [--manager TYPE …] [--draw] [--build]
-//                       [--json FILE]
+//     lixel-bench-scene [--objects N …] [--frames K] [--manager TYPE …] [--draw] [--announced]
+//                       [--build] [--json FILE]
 //
 // The same field of entities in each scene manager, seen from inside and from its rim, without
 // shadows and with several setups for one sun, with everything at rest and with some entities moved
 // each frame. Nothing is drawn: OGRE finds what is visible, queues it, and is then told to skip it;
-// with --draw it is drawn and waited for. Draw calls are counted in a frame that is drawn, in any
-// case. All ways of drawing take turns of a few frames each, and times are medians of wall clock: an
-// idle core is all that the machine needs to give. With --build: what it takes to fill the scene,
-// to move everything once, and to empty it, and how much memory that is.
+// with --draw it is drawn and waited for. With --announced Lixel's scene manager is promised that
+// changes of objects will be announced (LixelSceneManager::setChangesAnnounced). Draw calls are
+// counted in a frame that is drawn, in any case. All ways of drawing take turns of a few frames each,
+// and times are medians of wall clock: an idle core is all that the machine needs to give. With
+// --build: what it takes to fill the scene, to move everything once, and to empty it, and how much
+// memory that is.
 #include "BenchMain.h"
 #include "BenchTable.h"
 #include "WriteJson.h"
@@ -62,6 +64,8 @@ int main(int argc, char** argv) {
         ->delimiter(',')
         ->capture_default_str();
     app.add_flag("--draw", options.frames.draws, "draw what is found");
+    app.add_flag("--announced", options.frames.announced,
+                 "promise Lixel's scene manager that changes of objects will be announced");
     app.add_flag("--build", options.builds, "measure filling and emptying the scene instead");
     addJson(app, options.json);
     return runBench("lixel-bench-scene", app, argc, argv, [&] { run(options); });
