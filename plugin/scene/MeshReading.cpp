@@ -28,8 +28,9 @@ constexpr double HullTime = 0.012;
 constexpr double CopyTime = 0.004;
 /// A triangle, each time that it is looked at.
 constexpr double TriangleTime = 0.030;
-/// A triangle that is given to a part.
+/// A triangle that is given to a part, and one that may be of a relief.
 constexpr double PartTime = 0.060;
+constexpr double ReliefTime = 0.040;
 /// A whole hull, of what is known of its points; a cloud's discs.
 constexpr double BuildTime = 6.0;
 constexpr double DiscsTime = 6.0;
@@ -263,6 +264,8 @@ void CloudReading::restart() {
     mCloud = {};
     mBounds.setEmpty();
     mParts = {};
+    mIsOpen = false;
+    mRelief.reset();
 }
 
 double CloudReading::timeFor(const Parts& parts) const {
@@ -272,6 +275,7 @@ double CloudReading::timeFor(const Parts& parts) const {
         // Once to measure all, and once more the blocks in which there is a disc.
         const std::size_t again = std::min(part.triangles, mDiscs * BlockSize);
         time += timeForTriangles(part.operation, part.triangles + again);
+        if (mReliefBuilder.mayBe()) time += ReliefTime * static_cast<double>(part.triangles);
         if (mMostParts > 0) time += PartTime * static_cast<double>(part.triangles);
     }
     return time;
@@ -289,6 +293,8 @@ bool CloudReading::read(const Ogre::Mesh&, const Parts& parts, ReadingAllowance&
         if (!readPositions(parts, allowance)) return false;
         begin(Stage::Measure);
         mPartsBuilder.reset(mBounds);
+        mReliefBuilder.reset(mBounds);
+        mIsOpen = std::ranges::any_of(parts, [](const Part& part) { return part.triangles == 0; });
     }
     if (mStage == Stage::Measure) {
         if (!readTriangles(parts, allowance)) return false;
@@ -307,6 +313,7 @@ bool CloudReading::read(const Ogre::Mesh&, const Parts& parts, ReadingAllowance&
     mBuilder = SurfaceCloudBuilder(mDiscs);
     mParts = mPartsBuilder.parts();
     mPartsBuilder = MeshPartsBuilder(mMostParts);
+    if (!mIsOpen) mRelief = mReliefBuilder.relief();
     return true;
 }
 
@@ -335,8 +342,10 @@ bool CloudReading::readTriangles(const Parts& parts, ReadingAllowance& allowance
             const std::size_t count = std::min(part.triangles - mNext, BlockSize);
             if (mStage == Stage::Measure || !mBuilder.skip(mSums[mBlock])) {
                 double time = timeForTriangles(part.operation, count);
-                if (mStage == Stage::Measure && mMostParts > 0)
-                    time += PartTime * static_cast<double>(count);
+                if (mStage == Stage::Measure)
+                    time += ((mReliefBuilder.mayBe() ? ReliefTime : 0.0) +
+                             (mMostParts > 0 ? PartTime : 0.0)) *
+                            static_cast<double>(count);
                 if (allowance.take(1, time) == 0) return false;
                 Lixel::readTriangles(part.operation, mNext, count, mTriangles);
                 mBytesRead += triangleBytes(part.operation) * count;
@@ -354,7 +363,10 @@ void CloudReading::use(const Part& part) {
     const std::size_t first = mFirst[mPart];
     for (const auto& corners : mTriangles) {
         // An index beyond the vertices must not become another part's vertex.
-        if (std::max({corners[0], corners[1], corners[2]}) >= part.vertexCount) continue;
+        if (std::max({corners[0], corners[1], corners[2]}) >= part.vertexCount) {
+            mIsOpen = true;
+            continue;
+        }
         const Vec3 a = position(first + corners[0]);
         const Vec3 b = position(first + corners[1]);
         const Vec3 c = position(first + corners[2]);
@@ -363,6 +375,7 @@ void CloudReading::use(const Part& part) {
             continue;
         }
         mBuilder.measure(a, b, c);
+        mReliefBuilder.add(a, b, c);
         if (mMostParts > 0) mPartsBuilder.add(a, b, c);
     }
 }

@@ -2,6 +2,7 @@
 
 #include "fit/geometry/BodyHull.h"
 #include "fit/geometry/MeshParts.h"
+#include "fit/geometry/Relief.h"
 #include "fit/geometry/SurfaceCloud.h"
 #include "scene/ReadingAllowance.h"
 
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Ogre {
@@ -115,8 +117,8 @@ private:
     bool mConvex = false;
 };
 
-/// The surface of all triangles, and the bounds of parts of them. Keeps a copy of all positions
-/// until it is done.
+/// The surface of all triangles, whether it is a relief, and the bounds of parts of them. Keeps a
+/// copy of all positions until it is done.
 class CloudReading final : public MeshReading {
 public:
     /// @param discs of the cloud
@@ -128,6 +130,8 @@ public:
     /// In the mesh's space; every triangle is in one of them.
     std::span<const Eigen::AlignedBox3f> parts() const { return mParts; }
     std::size_t mostParts() const { return mMostParts; }
+    /// None before all is read, and of lines and points.
+    const std::optional<Relief>& relief() const { return mRelief; }
 
 private:
     enum class Stage { Positions, Measure, Spread, Free };
@@ -158,6 +162,10 @@ private:
     Eigen::AlignedBox3d mBounds;
     MeshPartsBuilder mPartsBuilder;
     std::vector<Eigen::AlignedBox3f> mParts;
+    ReliefBuilder mReliefBuilder;
+    /// Whether there is something that is no triangle of the mesh.
+    bool mIsOpen = false;
+    std::optional<Relief> mRelief;
 };
 
 } // namespace Lixel

@@ -185,9 +185,9 @@ const BodyHull* MeshShapes::hullOf(const Ogre::Entity& entity) {
 }
 
 std::optional<KnownParts> MeshShapes::partsOf(const Ogre::Entity& entity, std::size_t most) {
-    Aabb around;
+    SelfShadowFree body;
     if (entity.getMesh()->getNumLodLevels() > 1 || hullOf(entity) == nullptr ||
-        isConvex(entity, around))
+        (isSelfShadowFree(entity, body) && !body.relief))
         return std::nullopt;
     CloudReading& reading = find(entity.getMesh()).partsReading(most);
     advance(reading, *entity.getMesh());
@@ -195,20 +195,29 @@ std::optional<KnownParts> MeshShapes::partsOf(const Ogre::Entity& entity, std::s
     return KnownParts{&reading.cloud(), reading.parts()};
 }
 
-bool MeshShapes::isConvex(const Ogre::Entity& entity, Aabb& around) {
+bool MeshShapes::isSelfShadowFree(const Ogre::Entity& entity, SelfShadowFree& body) {
     if (darkensWhatIsUnlit(entity._getManager())) return false;
     const BodyHull* const hull = hullOf(entity);
     if (hull == nullptr) return false;
     Eigen::AlignedBox3d bounds;
     for (const Vec3& vertex : hull->vertices)
         bounds.extend(vertex);
-    around = {bounds.center(), bounds.sizes() / 2.0};
+    body.around.box = {bounds.center(), bounds.sizes() / 2.0};
+    body.relief.reset();
     if (hull->flat) return true;
     Entry& entry = find(entity.getMesh());
-    if (entry.convex.isDone() && !entry.convex.isConvex()) return false;
+    const auto isDoneInVain = [&] {
+        return entry.convex.isDone() && !entry.convex.isConvex() && entry.cloud.isDone() &&
+               !entry.cloud.relief();
+    };
+    if (isDoneInVain()) return false;
     if (entity.getMesh()->getNumLodLevels() > 1 || !drawsFrontsOnly(entity)) return false;
     advance(entry.convex, *entity.getMesh());
-    return entry.convex.isConvex();
+    if (entry.convex.isConvex()) return true;
+    if (!entry.convex.isDone()) return false;
+    advance(entry.cloud, *entity.getMesh());
+    if (entry.cloud.isDone()) body.relief = entry.cloud.relief();
+    return body.relief.has_value();
 }
 
 void ObjectShapes::reset(MeshShapes& meshes, const Vec3& wsOrigin) {
@@ -232,19 +241,19 @@ const void* ObjectShapes::identityOf(std::size_t index) const noexcept {
     return index < mObjects.size() ? mObjects[index] : nullptr;
 }
 
-bool ObjectShapes::isConvex(std::size_t index, PlacedBox& around) const noexcept {
+bool ObjectShapes::isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept {
     if (index >= mObjects.size()) return false;
     const auto* const entity = dynamic_cast<const Ogre::Entity*>(mObjects[index]);
     if (entity == nullptr) return false;
     try {
-        if (!mMeshes->isConvex(*entity, around.box)) return false;
+        if (!mMeshes->isSelfShadowFree(*entity, body)) return false;
     } catch (const std::exception&) {
         return false;
     }
-    around.wsFromBody = relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin);
+    body.around.wsFromBody = relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin);
     // A mirrored surface shows its inside.
-    return around.box.halfExtents.minCoeff() == 0.0 ||
-           around.wsFromBody.linear().determinant() > 0.0;
+    return body.around.box.halfExtents.minCoeff() == 0.0 ||
+           body.around.wsFromBody.linear().determinant() > 0.0;
 }
 
 } // namespace Lixel

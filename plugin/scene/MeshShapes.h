@@ -87,17 +87,19 @@ public:
         together take 80 bytes a part.
         @param most parts, and discs; where others ask for more of the mesh, they all get those
         @return nothing too where triangles may be others, with levels of detail; for what is known
-        to be convex; and for meshes of fewer than LeastParts parts */
+        to shadow nothing of itself whatever the light; and for meshes of fewer than LeastParts
+        parts */
     std::optional<KnownParts> partsOf(const Ogre::Entity& entity, std::size_t most);
 
-    /** Whether an entity is known to be convex: @see BodyShapes::isConvex
+    /** Whether an entity is known to shadow nothing of itself: @see BodyShapes::isSelfShadowFree
 
         It is where its hull is known, and it is a flat sheet, or the closed surface of few
-        triangles of a convex body, whose materials draw the outside alone. Neither levels of detail
-        nor a scene manager that darkens shadows, whichever side of a surface they are on, may be in
-        play: that is, OGRE's modulative shadows without shaders.
-        @param[out] around the entity in its own space, where the answer is true */
-    bool isConvex(const Ogre::Entity& entity, Aabb& around);
+        triangles of a convex body, or a relief, whose materials draw the outside alone. Neither
+        levels of detail nor a scene manager that darkens shadows, whichever side of a surface they
+        are on, may be in play: that is, OGRE's modulative shadows without shaders.
+        @param[out] body where the answer is true: the entity in its own space; where it is in the
+        world is not set */
+    bool isSelfShadowFree(const Ogre::Entity& entity, SelfShadowFree& body);
 
     /// A number that changes whenever answers may be others the next time, although no entity
     /// changes: a reading was left for another frame, or a mesh was prepared.
@@ -150,7 +152,7 @@ private:
 };
 
 /// The hulls of a set's bodies, where these are entities that fill their world boxes badly, and
-/// which entities are convex.
+/// which entities shadow nothing of themselves.
 class LIXEL_API ObjectShapes final : public BodyShapes {
 public:
     /// @param meshes must outlive what follows
@@ -165,7 +167,7 @@ public:
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
     /// The object.
     const void* identityOf(std::size_t index) const noexcept override;
-    bool isConvex(std::size_t index, PlacedBox& around) const noexcept override;
+    bool isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept override;
 
 private:
     MeshShapes* mMeshes = nullptr;

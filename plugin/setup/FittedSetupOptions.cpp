@@ -22,9 +22,12 @@ constexpr std::array DeclaredCommon{
         "how near a caster must be to a receiver along the light's axis to be taken for the "
         "receiver itself, for surfaces that are not planar at the scale of a texel"),
     option<&CommonOptions::meshHulls>(
-        "mesh_hulls", "whether maps are fitted to convex hulls of meshes that fill their boxes "
-                      "badly, and leave out what a convex mesh, such as a flat ground, shadows of "
-                      "itself; off where static buffers are rewritten in place"),
+        "mesh_hulls",
+        "whether maps are fitted to convex hulls of meshes that fill their boxes badly, and leave "
+        "out what a mesh cannot shadow of itself: a convex one, such as a flat ground, and a "
+        "ground "
+        "of hills under a light above their slopes; off where static buffers are rewritten in "
+        "place"),
     option<&CommonOptions::reuseMaps>(
         "reuse_maps", "whether a map is kept while it shows just what it would show if it were "
                       "drawn again"),

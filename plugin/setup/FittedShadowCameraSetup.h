@@ -47,14 +47,14 @@ struct CommonOptions {
         scale of a texel. */
     double depthBias = 0.0;
     /** Whether maps are fitted to convex hulls of meshes, where these fill their boxes badly, such
-        as what is long and turned, and leave out what a large convex mesh shadows of itself: the side
-        that faces away from the light, which materials must leave unlit by their normals, as they
-        do unless light shines through. Hulls are made of a mesh's vertices as they were first read:
-        turn it off where static buffers are rewritten in place. No hull is used for meshes whose
-        vertices may move in another way: with vertex programs other than Lixel's and the shader
-        generator's, bounds larger than those of the vertices, buffers that are not static,
-        skeletons, vertex animations or manual levels of detail. A large mesh has no hull for some
-        frames, until it is read.
+        as what is long and turned, and leave out what a large convex mesh, or a ground of hills
+        under a light above their slopes (Relief.h), shadows of itself: the side that faces away from
+        the light, which materials must leave unlit by their normals, as they do unless light shines
+        through. Hulls are made of a mesh's vertices as they were first read: turn it off where static
+        buffers are rewritten in place. No hull is used for meshes whose vertices may move in another
+        way: with vertex programs other than Lixel's and the shader generator's, bounds larger than
+        those of the vertices, buffers that are not static, skeletons, vertex animations or manual
+        levels of detail. A large mesh has no hull for some frames, until it is read.
         @see prepareMesh */
     bool meshHulls = true;
     /** Whether a map is kept where it shows just what it would show if it were drawn again: same

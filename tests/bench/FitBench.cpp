@@ -58,8 +58,8 @@ public:
     const void* identityOf(std::size_t index) const noexcept override {
         return reinterpret_cast<const void*>(index + 1);
     }
-    bool isConvex(std::size_t index, PlacedBox& around) const noexcept override {
-        around = {mBoxes.box(index), Transform3::Identity()};
+    bool isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept override {
+        body.around = {mBoxes.box(index), Transform3::Identity()};
         return true;
     }
 

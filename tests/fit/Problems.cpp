@@ -165,10 +165,10 @@ const void* TurnedBoxes::identityOf(std::size_t index) const noexcept {
     return reinterpret_cast<const void*>(numberOf(index));
 }
 
-bool TurnedBoxes::isConvex(std::size_t index, PlacedBox& around) const noexcept {
+bool TurnedBoxes::isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept {
     const auto found = std::ranges::find(convex, index, &ConvexBox::index);
     if (found == convex.end()) return false;
-    around = found->around;
+    body = {found->around, found->relief};
     return true;
 }
 
@@ -204,14 +204,15 @@ void Scene::addConvexBody(const Aabb& box) {
     setConvex(casters.size() - 1, receivers.size() - 1);
 }
 
-void Scene::setConvex(std::size_t caster, std::size_t receiver) {
+void Scene::setConvex(std::size_t caster, std::size_t receiver,
+                      const std::optional<Relief>& relief) {
     PlacedBox around{casters.box(caster), Transform3::Identity()};
     if (const TurnedBox* const body = turnedCasters.find(caster))
         around = {{Vec3::Zero(), body->box.halfExtents},
                   Eigen::Translation3d(body->box.centre) * Transform3(body->turn)};
     const std::uintptr_t number = turnedCasters.convex.size() + 1;
-    turnedCasters.convex.push_back({caster, number, around});
-    turnedReceivers.convex.push_back({receiver, number, around});
+    turnedCasters.convex.push_back({caster, number, around, relief});
+    turnedReceivers.convex.push_back({receiver, number, around, relief});
 }
 
 Mat4 frustum(double left, double right, double bottom, double top, double nearDepth,
@@ -387,9 +388,15 @@ void sayConvex(Scene& scene, Dice& dice) {
         for (std::size_t k = 0; k < scene.receivers.size(); ++k) {
             const Aabb caster = scene.casters.box(i);
             const Aabb receiver = scene.receivers.box(k);
-            if (caster.centre == receiver.centre && caster.halfExtents == receiver.halfExtents &&
-                dice.chance(share))
-                scene.setConvex(i, k);
+            if (caster.centre != receiver.centre || caster.halfExtents != receiver.halfExtents ||
+                !dice.chance(share))
+                continue;
+            // Some say so of some lights alone.
+            std::optional<Relief> relief;
+            if (dice.chance(0.3))
+                relief = Relief{dice.chance(0.5) ? Vec3::UnitY() : Vec3(-Vec3::UnitX()),
+                                dice.in(0.0, 0.9)};
+            scene.setConvex(i, k, relief);
         }
 }
 

@@ -33,13 +33,15 @@ struct TurnedBox {
     BodyHull hull;
 };
 
-/// A body of a set that says that it is convex.
+/// A body of a set that says that it shadows nothing of itself.
 struct ConvexBox {
     /// Of the set's box.
     std::size_t index = 0;
     /// The same for the body among casters as among receivers; greater than 0.
     std::uintptr_t number = 0;
     PlacedBox around;
+    /// It says so of these lights alone.
+    std::optional<Relief> relief = std::nullopt;
 };
 
 /// Those of a set's bodies that are turned boxes, by ascending index, and that are convex.
@@ -53,7 +55,7 @@ struct TurnedBoxes final : BodyShapes {
     void clear();
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
     const void* identityOf(std::size_t index) const noexcept override;
-    bool isConvex(std::size_t index, PlacedBox& around) const noexcept override;
+    bool isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept override;
 };
 
 /// Adds a box that is turned to a set.
@@ -80,7 +82,8 @@ struct Scene {
     /// The same, which says that it is convex.
     void addConvexBody(const Aabb& box);
     /// Has a caster and a receiver, which must be at one place, say that they are one convex body.
-    void setConvex(std::size_t caster, std::size_t receiver);
+    void setConvex(std::size_t caster, std::size_t receiver,
+                   const std::optional<Relief>& relief = std::nullopt);
 };
 
 /// How far inside the border of the scene's map a texel coordinate is; negative outside.

@@ -90,25 +90,28 @@ protected:
         });
     }
 
-    /// Whether the one receiver, which must be the one caster too, is convex.
-    bool isConvex() {
+    /// Whether the one receiver, which must be the one caster too, shadows nothing of itself.
+    bool isSelfShadowFree() {
         takeSurvey();
         EXPECT_EQ(mSurvey.receivers().size(), 1U);
         EXPECT_EQ(allCasters().size(), 1U);
         EXPECT_NE(mSurvey.receiverShapes().identityOf(0), nullptr);
         EXPECT_EQ(mSurvey.receiverShapes().identityOf(0), mSearch.shapes().identityOf(0));
-        PlacedBox ofCaster;
-        const bool result = mSurvey.receiverShapes().isConvex(0, mAround);
-        EXPECT_EQ(mSearch.shapes().isConvex(0, ofCaster), result);
+        SelfShadowFree ofCaster;
+        const bool result = mSurvey.receiverShapes().isSelfShadowFree(0, mBody);
+        EXPECT_EQ(mSearch.shapes().isSelfShadowFree(0, ofCaster), result);
         if (result) {
-            EXPECT_TRUE(ofCaster.wsFromBody.isApprox(mAround.wsFromBody));
-            EXPECT_EQ(ofCaster.box.halfExtents, mAround.box.halfExtents);
+            EXPECT_TRUE(ofCaster.around.wsFromBody.isApprox(mBody.around.wsFromBody));
+            EXPECT_EQ(ofCaster.around.box.halfExtents, mBody.around.box.halfExtents);
+            EXPECT_EQ(ofCaster.relief.has_value(), mBody.relief.has_value());
         }
         return result;
     }
+    /// Whether it does so whatever the light.
+    bool isConvex() { return isSelfShadowFree() && !mBody.relief; }
 
     Ogre::SceneNode* mNode = nullptr;
-    PlacedBox mAround;
+    SelfShadowFree mBody;
 
 private:
     std::vector<Ogre::MeshPtr> mMeshes;
@@ -136,10 +139,10 @@ TEST_P(ConvexMeshesTest, HaveABoxThatGoesWithThem) {
     mNode->setScale(8, 0.4f, 2);
     mNode->setOrientation(Ogre::Quaternion(Ogre::Degree(40), Vector3(1, 2, 3).normalisedCopy()));
     ASSERT_TRUE(isConvex());
-    EXPECT_TRUE(mAround.box.halfExtents.isApprox(Vec3::Ones(), 1e-6));
-    EXPECT_TRUE(mAround.box.centre.isZero(1e-6));
-    EXPECT_TRUE(mAround.wsFromBody.translation().isApprox(Vec3(-1, -2, -23), 1e-6));
-    EXPECT_NEAR(mAround.wsFromBody.linear().col(0).norm(), 8.0, 1e-5);
+    EXPECT_TRUE(mBody.around.box.halfExtents.isApprox(Vec3::Ones(), 1e-6));
+    EXPECT_TRUE(mBody.around.box.centre.isZero(1e-6));
+    EXPECT_TRUE(mBody.around.wsFromBody.translation().isApprox(Vec3(-1, -2, -23), 1e-6));
+    EXPECT_NEAR(mBody.around.wsFromBody.linear().col(0).norm(), 8.0, 1e-5);
 }
 
 TEST_P(ConvexMeshesTest, AreFlatGroundsOfManyTriangles) {
@@ -166,6 +169,9 @@ TEST_P(ConvexMeshesTest, AreSheetsWhicheverSideIsDrawn) {
 TEST_P(ConvexMeshesTest, AreNotGroundsWithRelief) {
     show(makeGround("relief", [](auto x, auto z) { return x == 3 && z == 4 ? 0.001f : 0.0f; }));
     EXPECT_FALSE(isConvex());
+    ASSERT_TRUE(isSelfShadowFree());
+    EXPECT_EQ(mBody.relief->axis, Vec3::UnitY());
+    EXPECT_NEAR(mBody.relief->steepness, 0.001, 1e-3);
 }
 
 /// As relief it is convex from above, and lit from below it is not.
@@ -176,6 +182,23 @@ TEST_P(ConvexMeshesTest, AreNotHills) {
         return -0.05f * (dx * dx + dz * dz);
     }));
     EXPECT_FALSE(isConvex());
+    ASSERT_TRUE(isSelfShadowFree());
+    EXPECT_EQ(mBody.relief->axis, Vec3::UnitY());
+    // From 3 to 4 units from its middle, along both.
+    EXPECT_NEAR(mBody.relief->steepness, std::sin(std::atan(0.35 * std::sqrt(2.0))), 1e-5);
+}
+
+TEST_P(ConvexMeshesTest, AreNotTwoGroundsInOne) {
+    show(make("two sheets", [](Ogre::ManualObject& drawn) {
+        for (Ogre::uint32 i = 0; i < 2; ++i) {
+            const float y = 0.5f * static_cast<float>(i);
+            for (const float z : {-4.0f, 4.0f})
+                for (const float x : {-4.0f, 4.0f})
+                    drawn.position(x, x > 0 ? y : y + 0.1f, z);
+            drawn.quad(4 * i, 4 * i + 2, 4 * i + 3, 4 * i + 1);
+        }
+    }));
+    EXPECT_FALSE(isSelfShadowFree());
 }
 
 TEST_P(ConvexMeshesTest, AreNotUs) {

@@ -128,10 +128,10 @@ TEST_P(MeshPartsTest, AreReceiversThatHoldAllInView) {
     EXPECT_GT(seen, 100);
     // Nothing but their boxes is known of parts.
     Transform3 wsFromBody;
-    PlacedBox around;
+    SelfShadowFree body;
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         EXPECT_EQ(mSurvey.receiverShapes().hullOf(i, wsFromBody), nullptr);
-        EXPECT_FALSE(mSurvey.receiverShapes().isConvex(i, around));
+        EXPECT_FALSE(mSurvey.receiverShapes().isSelfShadowFree(i, body));
     }
 }
 

@@ -292,7 +292,7 @@ TEST_P(MeshReadingTest, SmallMeshesAreThereAtOnceBesideALargeOne) {
     beginFrame();
     EXPECT_EQ(mMeshes.hullOf(*large), nullptr);
     EXPECT_EQ(mMeshes.cloudOf(*large), nullptr);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 3; ++i) {
         const Ogre::Entity* const small = show(makeLand({.side = 8}, "small" + std::to_string(i)));
         EXPECT_NE(mMeshes.hullOf(*small), nullptr);
         EXPECT_NE(mMeshes.cloudOf(*small), nullptr);

@@ -11,8 +11,8 @@ namespace Lixel {
     Gusev 2007, §3.6 takes the boxes of all receivers and of all casters. Here receivers are clipped
     to the view volume first, casters that cannot shadow a receiver are left out, and hulls are
     intersected instead of boxes. Otherwise the map would have to cover the whole box of a large
-    ground. A large body that says that it is convex is no caster for itself (ConvexBodies.h): or the
-    ground would have all that is visible of it in the map.
+    ground. A large body that says that it shadows nothing of itself is no caster for itself
+    (SelfShadowFree.h): or the ground would have all that is visible of it in the map.
 */
 struct FocusRegion {
     /// None, UnboundedBody, or the reason why there is nothing to focus on.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/focus/ConvexBodies.h"
 #include "fit/focus/ImageHull.h"
+#include "fit/focus/SelfShadowFree.h"
 #include "fit/focus/SharedEdges.h"
 #include "fit/geometry/BoxSet.h"
 
@@ -11,7 +11,7 @@ namespace Lixel {
 struct FocusScratch {
     ClipScratch clip;
     /// Those of the largest that cannot shadow themselves.
-    ConvexBodies convex;
+    SelfShadowFreeBodies selfShadowFree;
     /// The receivers that may be behind one of those.
     BoxSet behind;
     /// What is left of receivers or casters after the first questions.
@@ -24,7 +24,7 @@ struct FocusScratch {
     std::vector<FourEdges> receiverEdges;
     ImageHull casters;
     Polygon2 caster;
-    Polygon2 convexImage;
+    Polygon2 ownImage;
     Polygon2 polygon;
 };
 

@@ -48,12 +48,12 @@ void RelevantCasters::addAll(const BoxSet& casters) {
 
     // A receiver without bounds may be behind any body.
     if (mProblem.receivers->unbounded() == 0)
-        mScratch.convex.find(mProblem, mKept, mInView);
+        mScratch.selfShadowFree.find(mProblem, mImage, mKept, mInView);
     else
-        mScratch.convex.clear();
+        mScratch.selfShadowFree.clear();
 
     planes.clear();
-    if (!mScratch.convex.all().empty()) addRim();
+    if (!mScratch.selfShadowFree.all().empty()) addRim();
     addAllBut(
         mKept, [this](const BoxSet::Block& block) { return lanesWithin(block); },
         [this](const Aabb& box, std::size_t index) {
@@ -62,8 +62,8 @@ void RelevantCasters::addAll(const BoxSet& casters) {
             add(box, index);
             return revision != mScratch.casters.revision() || lsNear != mLsNear;
         });
-    for (const ConvexBody& body : mScratch.convex.all())
-        addConvex(body);
+    for (const SelfShadowFreeBody& body : mScratch.selfShadowFree.all())
+        addSelfShadowFree(body);
 }
 
 void RelevantCasters::addRim() {
@@ -114,7 +114,7 @@ void RelevantCasters::findInnerEdges() {
 }
 
 void RelevantCasters::add(const Aabb& box, std::size_t index) {
-    if (mScratch.convex.hasCaster(index)) return;
+    if (mScratch.selfShadowFree.hasCaster(index)) return;
     const double nearest = project(box, index);
     if (mScratch.points.empty() || !clipToReceivers(box)) return;
     mLsNear = std::min(mLsNear, nearest);
@@ -140,7 +140,7 @@ double RelevantCasters::project(const Aabb& box, std::size_t index) {
     return nearest;
 }
 
-void RelevantCasters::addConvex(const ConvexBody& body) {
+void RelevantCasters::addSelfShadowFree(const SelfShadowFreeBody& body) {
     const Aabb box = mProblem.casters->box(body.caster);
     const double nearest = project(box, body.caster);
     if (mScratch.points.empty() || !clipToReceivers(box)) return;
@@ -149,7 +149,7 @@ void RelevantCasters::addConvex(const ConvexBody& body) {
         mLsNear = std::min(mLsNear, nearest);
         return;
     }
-    convexHull(mScratch.points, mScratch.convexImage);
+    convexHull(mScratch.points, mScratch.ownImage);
     std::array<HalfSpace, 3> behind;
     const std::size_t count =
         behindLitFaces(body.around, mImage, mProblem.receivers->extent(), behind);
@@ -168,7 +168,7 @@ void RelevantCasters::addConvex(const ConvexBody& body) {
             mScratch.points.push_back(mImage.project(ls));
         });
         convexHull(mScratch.points, mScratch.caster);
-        intersect(mScratch.convexImage, mScratch.caster, mScratch.points, mScratch.polygon);
+        intersect(mScratch.ownImage, mScratch.caster, mScratch.points, mScratch.polygon);
         if (mScratch.points.empty()) return false;
         mLsNear = std::min(mLsNear, nearest);
         mScratch.casters.add(mScratch.points);

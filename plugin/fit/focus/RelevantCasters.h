@@ -39,8 +39,8 @@ private:
     /// Leaves the image of what is lit of a caster in the scratch memory's points.
     /// @return its least distance along the light; infinite where there are no points
     double project(const Aabb& box, std::size_t index);
-    /// Adds what a convex body covers of visible receivers behind it: of all except itself.
-    void addConvex(const ConvexBody& body);
+    /// Adds what a body without shadows on itself covers of visible receivers behind it.
+    void addSelfShadowFree(const SelfShadowFreeBody& body);
     /// Of each caster only what covers visible receivers: one that touches them with a corner then
     /// joins the region with that corner, and not with all of itself.
     /// @return whether anything is left of the points

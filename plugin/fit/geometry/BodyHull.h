@@ -1,10 +1,12 @@
 #pragma once
 
 #include "fit/geometry/ConvexVolume.h"
+#include "fit/geometry/Relief.h"
 
 #include <Eigen/Geometry>
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace Lixel {
@@ -63,6 +65,14 @@ struct PlacedBox {
     Transform3 wsFromBody = Transform3::Identity();
 };
 
+/// A body that shadows nothing of its own surface that faces the light.
+struct SelfShadowFree {
+    /// Around the body.
+    PlacedBox around;
+    /// Whose lights those have to be, in the body's own space; none where any will do.
+    std::optional<Relief> relief;
+};
+
 /// What is known of the bodies of a set beyond their boxes. A fit asks for those few that its map
 /// would have to be larger for.
 class BodyShapes {
@@ -73,15 +83,16 @@ public:
     /// does.
     virtual const void* identityOf(std::size_t /*index*/) const noexcept { return nullptr; }
 
-    /** Whether the body is known to be convex: a flat sheet, or the closed surface of a convex
-        body, drawn from outside alone.
+    /** Whether the body is known to shadow nothing of itself that faces the light: a flat sheet, the
+        closed surface of a convex body, or a relief under lights above its slopes, drawn from
+        outside alone.
 
         No light ray meets such a body twice on sides that face the light. So whatever it shadows of
         itself faces away from the light (n . l <= 0), and is dark without a map. Materials must
         shade it so, by the normals of its surface. A sheet that is lit on the side that the
         viewer does not see is dark in the same way, whether or not both its sides are drawn.
-        @param[out] around a box around the body, where the answer is true */
-    virtual bool isConvex(std::size_t /*index*/, PlacedBox& /*around*/) const noexcept {
+        @param[out] body where the answer is true: under which lights, and a box around it */
+    virtual bool isSelfShadowFree(std::size_t /*index*/, SelfShadowFree& /*body*/) const noexcept {
         return false;
     }
 

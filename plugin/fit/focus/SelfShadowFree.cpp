@@ -1,4 +1,4 @@
-#include "fit/focus/ConvexBodies.h"
+#include "fit/focus/SelfShadowFree.h"
 
 #include "fit/geometry/BoxQuery.h"
 
@@ -11,10 +11,23 @@ namespace {
 /// is: what it covers of itself is a small part of what is visible.
 constexpr double LeastSize = 0.25;
 
+/// Whether all of a body faces the light, wherever in its box, or need not.
+bool isLitAsWanted(const SelfShadowFree& body, const LightImage& image) {
+    if (!body.around.wsFromBody.matrix().allFinite()) return false;
+    if (!body.relief) return true;
+    const Transform3 bodyFromWs = body.around.wsFromBody.inverse(Eigen::Affine);
+    const Vec4 light = bodyFromWs * image.wsLight();
+    if (image.directional()) return body.relief->isBelow(light.head<3>());
+    // Directions higher than the slopes are a cone: with those from the corners it has all others.
+    return std::ranges::all_of(corners(body.around.box), [&](const Vec3& corner) {
+        return body.relief->isBelow(light.head<3>() - corner);
+    });
+}
+
 } // namespace
 
-void ConvexBodies::find(const ShadowProblem& problem, const BoxSet& casters,
-                        const BoxSet& receivers) {
+void SelfShadowFreeBodies::find(const ShadowProblem& problem, const LightImage& image,
+                                const BoxSet& casters, const BoxSet& receivers) {
     mCount = 0;
     if (problem.casterShapes == nullptr || problem.receiverShapes == nullptr) return;
     std::array<std::size_t, Most> largest;
@@ -30,7 +43,7 @@ void ConvexBodies::find(const ShadowProblem& problem, const BoxSet& casters,
     const std::size_t casterCount = largestBoxes(casters, largest);
     for (std::size_t k = 0; k < casterCount; ++k) {
         if (casters.box(largest[k]).halfExtents.sum() < least) break;
-        ConvexBody body;
+        SelfShadowFreeBody body;
         body.caster = casters.origin(largest[k]);
         const void* const identity = problem.casterShapes->identityOf(body.caster);
         if (identity == nullptr) continue;
@@ -38,14 +51,18 @@ void ConvexBodies::find(const ShadowProblem& problem, const BoxSet& casters,
         const auto same = std::find(identities.begin(), end, identity);
         if (same == end) continue;
         body.receiver = origins[static_cast<std::size_t>(same - identities.begin())];
-        if (problem.casterShapes->isConvex(body.caster, body.around) &&
-            body.around.wsFromBody.matrix().allFinite())
-            mBodies[mCount++] = body;
+        SelfShadowFree known;
+        if (!problem.casterShapes->isSelfShadowFree(body.caster, known) ||
+            !isLitAsWanted(known, image))
+            continue;
+        body.around = known.around;
+        mBodies[mCount++] = body;
     }
 }
 
-bool ConvexBodies::hasCaster(std::size_t index) const {
-    return std::ranges::any_of(all(), [=](const ConvexBody& body) { return body.caster == index; });
+bool SelfShadowFreeBodies::hasCaster(std::size_t index) const {
+    return std::ranges::any_of(
+        all(), [=](const SelfShadowFreeBody& body) { return body.caster == index; });
 }
 
 std::size_t behindLitFaces(const PlacedBox& around, const LightImage& image, double extent,

@@ -8,33 +8,35 @@
 
 namespace Lixel {
 
-/// A convex body that casts and receives: it shadows nothing of itself that faces the light.
-struct ConvexBody {
+/// A body that casts and receives, and shadows nothing of itself that faces the problem's light.
+struct SelfShadowFreeBody {
     /// Its indices in the problem's sets.
     std::size_t caster = 0;
     std::size_t receiver = 0;
     PlacedBox around;
 };
 
-/** The largest convex bodies of a problem.
+/** The largest bodies of a problem that shadow nothing of themselves: convex ones, and reliefs under
+    lights above their slopes.
 
     A ground is before itself for the light, box by box, and would have all that is visible of it in
     the map. The few largest bodies are those that this matters for; smaller ones count as casting
     on themselves too, which makes the map hardly larger.
 */
-class ConvexBodies {
+class SelfShadowFreeBodies {
 public:
     static constexpr std::size_t Most = 8;
 
     /// Finds those among the largest of both sets, subsets of the problem's.
-    void find(const ShadowProblem& problem, const BoxSet& casters, const BoxSet& receivers);
+    void find(const ShadowProblem& problem, const LightImage& image, const BoxSet& casters,
+              const BoxSet& receivers);
 
     void clear() { mCount = 0; }
-    std::span<const ConvexBody> all() const { return {mBodies.data(), mCount}; }
+    std::span<const SelfShadowFreeBody> all() const { return {mBodies.data(), mCount}; }
     bool hasCaster(std::size_t index) const;
 
 private:
-    std::array<ConvexBody, Most> mBodies;
+    std::array<SelfShadowFreeBody, Most> mBodies;
     std::size_t mCount = 0;
 };
 
