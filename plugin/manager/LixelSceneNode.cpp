@@ -38,7 +38,8 @@ LixelSceneNode::~LixelSceneNode() {
 
 void LixelSceneNode::attachObject(Ogre::MovableObject* object) {
     SceneNode::attachObject(object);
-    // At once: OGRE updates nodes by their addresses, and the order of drawing must not depend on it.
+    // At once: OGRE updates nodes by their addresses, and the order of drawing must not depend on
+    // it.
     if (mSlot == NodeStore::NoSlot) mSlot = mStore->add(*this);
     noteObjects();
 }

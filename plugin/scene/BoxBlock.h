@@ -50,8 +50,8 @@ struct BoxBlock {
     };
 
     enum class Side { Outside, Cut, Inside };
-    /// How a volume lies to the block: which of its planes cut the block, and from which distance to
-    /// them on a box's side is certain.
+    /// How a volume lies to the block: which of its planes cut the block, and from which distance
+    /// to them on a box's side is certain.
     struct Cut {
         Side side = Side::Inside;
         float doubt = 0.0F;
@@ -75,8 +75,8 @@ struct BoxBlock {
     /// The same for a box that was there.
     /// @returns whether the block's own box may be larger than it need be now
     bool replace(std::size_t index, const FlatBox& box);
-    /// Whether a box that was in the block may stay there, whatever its key is: it is of the block's
-    /// sizes, and the block needs to be no larger for it.
+    /// Whether a box that was in the block may stay there, whatever its key is: it is of the
+    /// block's sizes, and the block needs to be no larger for it.
     bool keeps(const FlatBox& box) const;
     /// Which ends of the block's own box a box reaches, a bit each: without it the block may be
     /// smaller.

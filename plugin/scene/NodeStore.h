@@ -55,14 +55,15 @@ struct NodeSearch {
 
 /** A scene's nodes with the boxes of what is attached to them, in flat memory.
 
-    Boxes lie in blocks of 64, as arrays; a block holds boxes that are near to each other and of like
-    size (SpatialKey.h), and has a box of its own. So a volume is compared with few blocks, and with
-    the boxes of those that it cuts, eight at a time. Blocks are the leaves of a search tree of one
-    level: a box that moves out of its block, and out of the block's part of the order, goes into the
-    block where it belongs; a full block is split, and an empty one is joined with its neighbour.
+    Boxes lie in blocks of 64, as arrays; a block holds boxes that are near to each other and of
+    like size (SpatialKey.h), and has a box of its own. So a volume is compared with few blocks, and
+    with the boxes of those that it cuts, eight at a time. Blocks are the leaves of a search tree of
+    one level: a box that moves out of its block, and out of the block's part of the order, goes
+    into the block where it belongs; a full block is split, and an empty one is joined with its
+    neighbour.
 
-    Bullet's dynamic tree (btDbvt) was measured beside it, with the same boxes, views of a quarter of
-    them and moves of up to .2 m: at 10 000 boxes it takes more than twice as long to find, and 3
+    Bullet's dynamic tree (btDbvt) was measured beside it, with the same boxes, views of a quarter
+    of them and moves of up to .2 m: at 10 000 boxes it takes more than twice as long to find, and 3
     times to move; at 100 000, more than 5 times, and 7 to 10 times.
 
     Nodes are found in the order in which they were added, wherever they move, so that what is drawn
@@ -94,8 +95,8 @@ public:
         ++mPlaces[slot].attachment;
     }
 
-    /// Call whenever what a shadow map may show of a node has changed: where it and its objects are,
-    /// what is attached, whether it is in the scene graph.
+    /// Call whenever what a shadow map may show of a node has changed: where it and its objects
+    /// are, what is attached, whether it is in the scene graph.
     void noteChange() { ++mChanges; }
     /// How often that was.
     std::uint64_t changes() const { return mChanges; }
@@ -167,8 +168,8 @@ public:
     /// As set.
     const Ogre::AxisAlignedBox& box(Slot slot) const { return mPlaces[slot].box; }
     const Ogre::Sphere& sphere(Slot slot) const { return mPlaces[slot].sphere; }
-    /// Asks for the memory of a node and of its only object, which will be read soon. The slot's own
-    /// is best asked for before.
+    /// Asks for the memory of a node and of its only object, which will be read soon. The slot's
+    /// own is best asked for before.
     void prefetch(Slot slot) const;
     /// Asks for what is kept of a slot.
     void prefetchPlace(Slot slot) const { prefetchObject(&mPlaces[slot], sizeof(Place)); }

@@ -48,13 +48,14 @@ struct CommonOptions {
     double depthBias = 0.0;
     /** Whether maps are fitted to convex hulls of meshes, where these fill their boxes badly, such
         as what is long and turned, and leave out what a large convex mesh, or a ground of hills
-        under a light above their slopes (Relief.h), shadows of itself: the side that faces away from
-        the light, which materials must leave unlit by their normals, as they do unless light shines
-        through. Hulls are made of a mesh's vertices as they were first read: turn it off where static
-        buffers are rewritten in place. No hull is used for meshes whose vertices may move in another
-        way: with vertex programs other than Lixel's and the shader generator's, bounds larger than
-        those of the vertices, buffers that are not static, skeletons, vertex animations or manual
-        levels of detail. A large mesh has no hull for some frames, until it is read.
+        under a light above their slopes (Relief.h), shadows of itself: the side that faces away
+        from the light, which materials must leave unlit by their normals, as they do unless light
+        shines through. Hulls are made of a mesh's vertices as they were first read: turn it off
+        where static buffers are rewritten in place. No hull is used for meshes whose vertices may
+        move in another way: with vertex programs other than Lixel's and the shader generator's,
+        bounds larger than those of the vertices, buffers that are not static, skeletons, vertex
+        animations or manual levels of detail. A large mesh has no hull for some frames, until it is
+        read.
         @see prepareMesh */
     bool meshHulls = true;
     /** Whether a map is kept where it shows just what it would show if it were drawn again: same
@@ -70,23 +71,23 @@ struct CommonOptions {
         still for their number and the map's size, where a caster blends with others, and where an
         application listens to render queues or single draws, or draws queues in ways of its own. */
     bool movingApart = true;
-    /** For how long a map may be kept although the viewer moves, as the share by which its texels may
-        be coarser than those of a map fitted in each frame; 0: none is kept.
+    /** For how long a map may be kept although the viewer moves, as the share by which its texels
+        may be coarser than those of a map fitted in each frame; 0: none is kept.
 
         Half of it is a margin around what is seen, so that a map lasts while the viewer turns and
         goes on; the map is fitted anew when the margin is used up, or its texels are too coarse.
         Shadows' edges do not crawl meanwhile. */
     double lastingMaps = 0.0;
-    /** Whether setups that judge maps by samples (XPSM, Optimal, cascades) judge by what the viewer's
-        frame before showed: the depths of a few of its pixels, read back without waiting for the GPU,
-        instead of by view rays against boxes and meshes. Where he sees what was hidden then, rays are
-        used nevertheless. Needs OpenGL and a viewport with a depth buffer; setVisiblePoints goes
-        first. @see feedbackStatistics */
+    /** Whether setups that judge maps by samples (XPSM, Optimal, cascades) judge by what the
+        viewer's frame before showed: the depths of a few of its pixels, read back without waiting
+        for the GPU, instead of by view rays against boxes and meshes. Where he sees what was hidden
+        then, rays are used nevertheless. Needs OpenGL and a viewport with a depth buffer;
+        setVisiblePoints goes first. @see feedbackStatistics */
     bool feedback = false;
     /** In how many parts, at most, a large mesh is known that reaches out of the view, such as a
-        terrain with all that grows on it in one mesh: maps are fitted to the parts in view, and view
-        rays meet what is there instead of the mesh's box. 0: each mesh is known as a whole; 1024 is
-        a good number, and fewer than 256 are taken for 256.
+        terrain with all that grows on it in one mesh: maps are fitted to the parts in view, and
+        view rays meet what is there instead of the mesh's box. 0: each mesh is known as a whole;
+        1024 is a good number, and fewer than 256 are taken for 256.
 
         For meshes that have a hull (meshHulls, without which there are no parts), are not convex,
         and have no levels of detail. Parts are found once for each viewer, for all lights and maps:
@@ -113,9 +114,9 @@ struct CommonOptions {
     as far as there are textures left, under the integrated shadow techniques; elsewhere OGRE draws
     one map a light, and the log says so where there are more. A point light, and a spot wider than
     179°, takes six, one for each face of a cube around it. With fewer it gets the narrowest spot
-    around what it can shadow. Where that would be wider than 160°, four and five maps are those faces
-    that have something to show, as many as there are maps; with fewer, one map is a cone of 160°
-    around what is seen. The rest is lit, and the log says so.
+    around what it can shadow. Where that would be wider than 160°, four and five maps are those
+    faces that have something to show, as many as there are maps; with fewer, one map is a cone of
+    160° around what is seen. The rest is lit, and the log says so.
 
     Maps of one light are asked for in order, from the first one on, as OGRE does.
 
@@ -230,9 +231,10 @@ protected:
     virtual std::size_t mapsOfSun(std::size_t) const noexcept { return 1; }
 
     /** Whether fit() and divide() do the same again for the same problem and memory, as long as no
-        option is set; it has maps that have come to rest kept where an application announces changes
-        (LixelSceneManager::setChangesAnnounced). False here, since fit() may ask whatever it likes;
-        true for Lixel's techniques: say false where yours is derived from one of them and asks more.
+        option is set; it has maps that have come to rest kept where an application announces
+        changes (LixelSceneManager::setChangesAnnounced). False here, since fit() may ask whatever
+        it likes; true for Lixel's techniques: say false where yours is derived from one of them and
+        asks more.
     */
     virtual bool dependsOnlyOnOptions() const noexcept { return false; }
     /// Another setup that fit() asks, whose options count too; null for none.

@@ -28,8 +28,8 @@ struct CapturedFrame {
 /** Shadow maps' matrices, as OGRE would draw with them.
 
     While one lives, the stage's frames find what is visible and set shadow cameras up, but draw
-    nothing, or maps alone or all of it where that is asked for. Afterwards every light has one map again, of the
-    size that was captured last. The light keeps the setup that was captured last.
+    nothing, or maps alone or all of it where that is asked for. Afterwards every light has one map
+    again, of the size that was captured last. The light keeps the setup that was captured last.
 */
 class MapCapture : private ShadowMapObserver, private Ogre::SceneManager::Listener {
 public:

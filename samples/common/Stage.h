@@ -44,7 +44,8 @@ public:
     /// Null when headless.
     GLFWwindow* glfwWindow() { return mGlfwWindow.get(); }
 
-    /** Builds the scene, in an empty stage, with additive texture shadows and Lixel's caster and receiver.
+    /** Builds the scene, in an empty stage, with additive texture shadows and Lixel's caster and
+        receiver.
 
         A scene of OGRE's shader system has integrated shadows and the presets of its lights.
         @exception std::runtime_error for such a scene, where programs are built without it

@@ -53,8 +53,8 @@ Affine placeRegion(const ShadowProblem& problem, const LightImage& image, const 
 
 /** The same along given axes: a parallelogram of the warped light image.
 
-    @param smallest what placeRegion gives: it is returned where texels along the axes are finer than
-    a border makes up for
+    @param smallest what placeRegion gives: it is returned where texels along the axes are finer
+    than a border makes up for
 */
 Affine placeAlong(const ShadowProblem& problem, const LightImage& image, const Polygon2& warped,
                   const Vec2& warp, double liReach, const MapAxes& axes,
@@ -64,14 +64,15 @@ Affine placeAlong(const ShadowProblem& problem, const LightImage& image, const P
 /// @param[out] warp of its row w
 Affine affineOf(const Mat3& homography, const Vec2& centre, double filterRadius, Vec2& warp);
 
-/** A map that was placed for another region, moved by whole texels to where it shows this one in its
-    middle, with a border as of placeRegion's maps.
+/** A map that was placed for another region, moved by whole texels to where it shows this one in
+    its middle, with a border as of placeRegion's maps.
 
     Whole texels leave all of its texels where they are: on the same rays of the light.
 
     @param homography rows x, y and w of the map, acting on ℓ
     @param thickness, liReach as WarpContext has them
-    @return none where the region is too large for the map, or where the map's warp is not safe there
+    @return none where the region is too large for the map, or where the map's warp is not safe
+    there
 */
 std::optional<Mat3> movedByTexels(const Mat3& homography, const ShadowProblem& problem,
                                   const FocusRegion& region, double thickness, double liReach,

@@ -16,8 +16,8 @@ struct SelfShadowFreeBody {
     PlacedBox around;
 };
 
-/** The largest bodies of a problem that shadow nothing of themselves: convex ones, and reliefs under
-    lights above their slopes.
+/** The largest bodies of a problem that shadow nothing of themselves: convex ones, and reliefs
+    under lights above their slopes.
 
     A ground is before itself for the light, box by box, and would have all that is visible of it in
     the map. The few largest bodies are those that this matters for; smaller ones count as casting

@@ -83,8 +83,8 @@ public:
     /// does.
     virtual const void* identityOf(std::size_t /*index*/) const noexcept { return nullptr; }
 
-    /** Whether the body is known to shadow nothing of itself that faces the light: a flat sheet, the
-        closed surface of a convex body, or a relief under lights above its slopes, drawn from
+    /** Whether the body is known to shadow nothing of itself that faces the light: a flat sheet,
+        the closed surface of a convex body, or a relief under lights above its slopes, drawn from
         outside alone.
 
         No light ray meets such a body twice on sides that face the light. So whatever it shadows of

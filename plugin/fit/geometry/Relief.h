@@ -40,16 +40,16 @@ private:
 
     Triangles come one at a time, and are not kept. They are one if
 
-    - those that do not lie in a side of their box or in its bottom, turned outward, face up, and none
-      is steeper than MostSteep;
+    - those that do not lie in a side of their box or in its bottom, turned outward, face up, and
+      none is steeper than MostSteep;
     - together these are as large as the box, seen from above;
-    - beside each edge there is the same edge of another, the other way around. A sheet, which has no
-      triangles in sides or bottom, may have a border in the sides.
+    - beside each edge there is the same edge of another, the other way around. A sheet, which has
+      no triangles in sides or bottom, may have a border in the sides.
 
-    So a surface that has no border within its box lies over each point equally often, which is once,
-    and walls, which all face outward, end where it does. Sums of random numbers, one for each edge
-    and its opposite the other way around, tell of borders: that they are 0 although there is one has
-    a chance of 2⁻⁶⁴.
+    So a surface that has no border within its box lies over each point equally often, which is
+    once, and walls, which all face outward, end where it does. Sums of random numbers, one for each
+    edge and its opposite the other way around, tell of borders: that they are 0 although there is
+    one has a chance of 2⁻⁶⁴.
 */
 class ReliefBuilder {
 public:
@@ -79,7 +79,8 @@ private:
         /// Of the edges within, the one way less the other.
         std::uint64_t edgesWithin = 0;
     };
-    /// Bits of the box's sides that a point lies in: the lower one of each axis, then the upper one.
+    /// Bits of the box's sides that a point lies in: the lower one of each axis, then the upper
+    /// one.
     unsigned sidesOf(const Vec3& point) const;
 
     Eigen::AlignedBox3d mBounds;

@@ -30,10 +30,10 @@ constexpr double CutStep = 0.693; // ln 2
 /// Least ratio of nearest and farthest: an eye that touches a receiver wants no slice for it.
 constexpr double LeastNearRatio = 1e-4;
 
-/// Least ratio of farthest and nearest: where all that is seen is at one depth, a wall that the viewer
-/// faces or the ground from straight above, no slices meet there. Rounding would decide for each of
-/// its points which map serves it. A receiver finds its map by depths in float, with an error of 2^-20
-/// or so.
+/// Least ratio of farthest and nearest: where all that is seen is at one depth, a wall that the
+/// viewer faces or the ground from straight above, no slices meet there. Rounding would decide for
+/// each of its points which map serves it. A receiver finds its map by depths in float, with an
+/// error of 2^-20 or so.
 constexpr double LeastDepthRatio = 1.0 + 0x1p-10;
 
 /// Relative rounding of a near plane's depth that comes from a projection matrix in float.

@@ -22,7 +22,8 @@ constexpr double GreatestAxesArea = 1.2;
 constexpr double LeastAxesGain = 0.02;
 
 /// Gain for which the last map's axes are given up: half the share of the map's area that a turned
-/// rectangle has to save (MapPlacement.cpp), since a texel's extent goes with the area's square root.
+/// rectangle has to save (MapPlacement.cpp), since a texel's extent goes with the area's square
+/// root.
 constexpr double TurnedAxesGain = 0.05;
 
 /// The count rounded up to whole fours.

@@ -14,9 +14,9 @@ struct MapSides {
     Vec2 v = Vec2::Zero();
 };
 
-/** What a map's two coordinates grow along: unit normals of its sides in the warped light image, the
-    second to the left of the first. Where they are not at right angles the map is a parallelogram
-    there. */
+/** What a map's two coordinates grow along: unit normals of its sides in the warped light image,
+    the second to the left of the first. Where they are not at right angles the map is a
+    parallelogram there. */
 struct MapAxes {
     std::array<Vec2, 2> normals;
     /// Whether they are the last map's, to the last bit.
