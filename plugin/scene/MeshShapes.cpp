@@ -224,6 +224,15 @@ void ObjectShapes::reset(MeshShapes& meshes, const Vec3& wsOrigin) {
     mMeshes = &meshes;
     mWsOrigin = wsOrigin;
     mObjects.clear();
+    mPartRuns.clear();
+}
+
+void ObjectShapes::addPart(const Ogre::MovableObject& whole) {
+    const std::size_t index = mObjects.size();
+    mObjects.push_back(nullptr);
+    if (mPartRuns.empty() || mPartRuns.back().end != index || mPartRuns.back().whole != &whole)
+        mPartRuns.push_back({index, index, &whole});
+    ++mPartRuns.back().end;
 }
 
 const BodyHull* ObjectShapes::hullOf(std::size_t index, Transform3& wsFromBody) const noexcept {
@@ -238,7 +247,13 @@ const BodyHull* ObjectShapes::hullOf(std::size_t index, Transform3& wsFromBody) 
 }
 
 const void* ObjectShapes::identityOf(std::size_t index) const noexcept {
-    return index < mObjects.size() ? mObjects[index] : nullptr;
+    if (index >= mObjects.size()) return nullptr;
+    if (mObjects[index] != nullptr) return mObjects[index];
+    return std::ranges::upper_bound(mPartRuns, index, {}, &PartRun::end)->whole;
+}
+
+bool ObjectShapes::isInParts(const void* identity) const noexcept {
+    return std::ranges::find(mPartRuns, identity, &PartRun::whole) != mPartRuns.end();
 }
 
 bool ObjectShapes::isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept {

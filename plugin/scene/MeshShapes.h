@@ -160,19 +160,27 @@ public:
     /// Adds what the next box of the set is of; it must be there until the next reset.
     void add(const Ogre::MovableObject& object) { mObjects.push_back(&object); }
     /// The next box is of a part of an object: it has no other shape than that.
-    void addPart() { mObjects.push_back(nullptr); }
+    void addPart(const Ogre::MovableObject& whole);
     /// What was added, null for parts.
     std::span<const Ogre::MovableObject* const> objects() const { return mObjects; }
 
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
-    /// The object.
+    /// The object, of parts too.
     const void* identityOf(std::size_t index) const noexcept override;
+    bool isInParts(const void* identity) const noexcept override;
     bool isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept override;
 
 private:
     MeshShapes* mMeshes = nullptr;
     Vec3 mWsOrigin = Vec3::Zero();
     std::vector<const Ogre::MovableObject*> mObjects;
+    /// Boxes in a row that are parts of one object.
+    struct PartRun {
+        std::size_t begin;
+        std::size_t end;
+        const Ogre::MovableObject* whole;
+    };
+    std::vector<PartRun> mPartRuns;
 };
 
 } // namespace Lixel

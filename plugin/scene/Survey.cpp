@@ -180,7 +180,7 @@ bool Survey::addParts(const Ogre::MovableObject& object, const Aabb& box) {
         if (mView.classify(placed) == ConvexVolume::Side::Outside) continue;
         const std::size_t before = mReceivers.size();
         mReceivers.add(placed);
-        if (mReceivers.size() > before) mReceiverShapes.addPart();
+        if (mReceivers.size() > before) mReceiverShapes.addPart(object);
     }
     mSurfacesOfParts.push_back({0, parts->cloud, wsFromMesh});
     return true;

@@ -126,13 +126,16 @@ TEST_P(MeshPartsTest, AreReceiversThatHoldAllInView) {
             << "vertex " << i;
     }
     EXPECT_GT(seen, 100);
-    // Nothing but their boxes is known of parts.
+    // Nothing but their boxes is known of parts, and what they are of.
     Transform3 wsFromBody;
     SelfShadowFree body;
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         EXPECT_EQ(mSurvey.receiverShapes().hullOf(i, wsFromBody), nullptr);
         EXPECT_FALSE(mSurvey.receiverShapes().isSelfShadowFree(i, body));
+        EXPECT_EQ(mSurvey.receiverShapes().identityOf(i), mSurvey.receiverObjects().front());
     }
+    EXPECT_TRUE(mSurvey.receiverShapes().isInParts(mSurvey.receiverObjects().front()));
+    EXPECT_FALSE(mSurvey.receiverShapes().isInParts(nullptr));
 }
 
 TEST_P(MeshPartsTest, AreSeenWhereTheirTrianglesAre) {
@@ -160,7 +163,8 @@ TEST_P(MeshPartsTest, LeaveMapsSteadyWhileTheViewerTurns) {
     mCameraNode->setPosition(3, 9, 5);
     takeSurveyInParts();
     ShadowProblem problem;
-    problem.light.wsDirection = Vec3(1.0, -0.7, 0.4);
+    // Lower than the hills are steep, so that they shadow each other.
+    problem.light.wsDirection = Vec3(1.0, -0.3, 0.4);
     FitState state;
     ShadowFit before;
     ShadowViewer viewerBefore;
@@ -202,6 +206,28 @@ TEST_P(MeshPartsTest, LeaveMapsSteadyWhileTheViewerTurns) {
     EXPECT_GT(measured, 600 * 50);
     EXPECT_LE(greatest, 0.02);
     EXPECT_LE(jumps, 3U);
+}
+
+TEST_P(MeshPartsTest, ShadowNothingOfEachOtherUnderAHighSun) {
+    addHills();
+    mCameraNode->setPosition(3, 9, 5);
+    mCameraNode->pitch(Ogre::Degree(-15));
+    takeSurveyInParts();
+    ASSERT_GT(mSurvey.receivers().size(), 1U);
+    ShadowProblem problem;
+    problem.viewer = mSurvey.viewer();
+    problem.receivers = &mSurvey.receivers();
+    problem.receiverShapes = &mSurvey.receiverShapes();
+    problem.visiblePoints = mSurvey.visiblePoints();
+    for (const double height : {0.3, 3.0}) {
+        problem.light.wsDirection = Vec3(1.0, -height, 0.4);
+        problem.casters = &mSearch.find(mSurvey, problem.light, 0.0);
+        problem.casterShapes = &mSearch.shapes();
+        FitState state;
+        const ShadowFit fit = fitMap(problem, OptimalOptions{}, state);
+        EXPECT_EQ(fit.hasMap(), height < 1.0);
+        EXPECT_EQ(fit.reason == FitReason::NothingShadowed, height > 1.0);
+    }
 }
 
 TEST_P(MeshPartsTest, AreHiddenByOtherBodies) {

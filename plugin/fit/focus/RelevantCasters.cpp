@@ -161,7 +161,7 @@ void RelevantCasters::addSelfShadowFree(const SelfShadowFreeBody& body) {
         return nearest < mLsNear ? 0U : lanesWithin(block);
     };
     addAllBut(mScratch.behind, isDone, [&](const Aabb& receiver, std::size_t index) {
-        if (index == body.receiver) return false;
+        if (mProblem.receiverShapes->identityOf(index) == body.identity) return false;
         PlacedHull(mProblem.receiverShapes, index).clip(receiver, shadowed, mScratch);
         mScratch.points.clear();
         forClipped(mProblem, mImage, mScratch, [this](const Vec3&, const Vec3& ls) {

@@ -31,13 +31,10 @@ void SelfShadowFreeBodies::find(const ShadowProblem& problem, const LightImage& 
     mCount = 0;
     if (problem.casterShapes == nullptr || problem.receiverShapes == nullptr) return;
     std::array<std::size_t, Most> largest;
-    std::array<std::size_t, Most> origins;
     std::array<const void*, Most> identities;
     const std::size_t count = largestBoxes(receivers, largest);
-    for (std::size_t i = 0; i < count; ++i) {
-        origins[i] = receivers.origin(largest[i]);
-        identities[i] = problem.receiverShapes->identityOf(origins[i]);
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        identities[i] = problem.receiverShapes->identityOf(receivers.origin(largest[i]));
     if (count == 0) return;
     const double least = LeastSize * receivers.box(largest[0]).halfExtents.sum();
     const std::size_t casterCount = largestBoxes(casters, largest);
@@ -45,12 +42,12 @@ void SelfShadowFreeBodies::find(const ShadowProblem& problem, const LightImage& 
         if (casters.box(largest[k]).halfExtents.sum() < least) break;
         SelfShadowFreeBody body;
         body.caster = casters.origin(largest[k]);
-        const void* const identity = problem.casterShapes->identityOf(body.caster);
-        if (identity == nullptr) continue;
+        body.identity = problem.casterShapes->identityOf(body.caster);
+        if (body.identity == nullptr) continue;
         const auto end = identities.begin() + static_cast<std::ptrdiff_t>(count);
-        const auto same = std::find(identities.begin(), end, identity);
-        if (same == end) continue;
-        body.receiver = origins[static_cast<std::size_t>(same - identities.begin())];
+        if (std::find(identities.begin(), end, body.identity) == end &&
+            !problem.receiverShapes->isInParts(body.identity))
+            continue;
         SelfShadowFree known;
         if (!problem.casterShapes->isSelfShadowFree(body.caster, known) ||
             !isLitAsWanted(known, image))

@@ -10,9 +10,10 @@ namespace Lixel {
 
 /// A body that casts and receives, and shadows nothing of itself that faces the problem's light.
 struct SelfShadowFreeBody {
-    /// Its indices in the problem's sets.
+    /// Its index among the problem's casters.
     std::size_t caster = 0;
-    std::size_t receiver = 0;
+    /// Of its own among receivers.
+    const void* identity = nullptr;
     PlacedBox around;
 };
 
