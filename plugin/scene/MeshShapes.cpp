@@ -57,6 +57,11 @@ bool drawsFrontsOnly(const Ogre::Entity& entity) {
     return true;
 }
 
+/// Whether it shows the outside of its mesh alone, whatever its distance.
+bool showsOutsideAlone(const Ogre::Entity& entity) {
+    return entity.getMesh()->getNumLodLevels() <= 1 && drawsFrontsOnly(entity);
+}
+
 /// Whether the scene manager darkens what is in shadow, lit or not, by passes of its own.
 bool darkensWhatIsUnlit(const Ogre::SceneManager* sceneManager) {
     return sceneManager == nullptr || (sceneManager->isShadowTechniqueModulative() &&
@@ -185,18 +190,26 @@ const BodyHull* MeshShapes::hullOf(const Ogre::Entity& entity) {
 }
 
 std::optional<KnownParts> MeshShapes::partsOf(const Ogre::Entity& entity, std::size_t most) {
-    SelfShadowFree body;
-    if (entity.getMesh()->getNumLodLevels() > 1 || hullOf(entity) == nullptr ||
-        (isSelfShadowFree(entity, body) && !body.relief))
-        return std::nullopt;
+    if (entity.getMesh()->getNumLodLevels() > 1) return std::nullopt;
+    const BodyHull* const hull = hullOf(entity);
+    if (hull == nullptr || isConvex(entity, *hull)) return std::nullopt;
     CloudReading& reading = find(entity.getMesh()).partsReading(most);
     advance(reading, *entity.getMesh());
     if (!reading.isDone() || reading.parts().size() < LeastParts) return std::nullopt;
     return KnownParts{&reading.cloud(), reading.parts()};
 }
 
-bool MeshShapes::isSelfShadowFree(const Ogre::Entity& entity, SelfShadowFree& body) {
+bool MeshShapes::isConvex(const Ogre::Entity& entity, const BodyHull& hull) {
     if (darkensWhatIsUnlit(entity._getManager())) return false;
+    if (hull.flat) return true;
+    ConvexReading& reading = find(entity.getMesh()).convex;
+    if (reading.isDone() && !reading.isConvex()) return false;
+    if (!showsOutsideAlone(entity)) return false;
+    advance(reading, *entity.getMesh());
+    return reading.isConvex();
+}
+
+bool MeshShapes::isSelfShadowFree(const Ogre::Entity& entity, SelfShadowFree& body) {
     const BodyHull* const hull = hullOf(entity);
     if (hull == nullptr) return false;
     Eigen::AlignedBox3d bounds;
@@ -204,19 +217,14 @@ bool MeshShapes::isSelfShadowFree(const Ogre::Entity& entity, SelfShadowFree& bo
         bounds.extend(vertex);
     body.around.box = {bounds.center(), bounds.sizes() / 2.0};
     body.relief.reset();
-    if (hull->flat) return true;
+    if (isConvex(entity, *hull)) return true;
     Entry& entry = find(entity.getMesh());
-    const auto isDoneInVain = [&] {
-        return entry.convex.isDone() && !entry.convex.isConvex() && entry.cloud.isDone() &&
-               !entry.cloud.relief();
-    };
-    if (isDoneInVain()) return false;
-    if (entity.getMesh()->getNumLodLevels() > 1 || !drawsFrontsOnly(entity)) return false;
-    advance(entry.convex, *entity.getMesh());
-    if (entry.convex.isConvex()) return true;
-    if (!entry.convex.isDone()) return false;
-    advance(entry.cloud, *entity.getMesh());
-    if (entry.cloud.isDone()) body.relief = entry.cloud.relief();
+    // Where parts are wanted, the surface is read with them.
+    CloudReading& surface = entry.parts ? *entry.parts : entry.cloud;
+    if (!entry.convex.isDone() || (surface.isDone() && !surface.relief())) return false;
+    if (darkensWhatIsUnlit(entity._getManager()) || !showsOutsideAlone(entity)) return false;
+    advance(surface, *entity.getMesh());
+    body.relief = surface.relief();
     return body.relief.has_value();
 }
 

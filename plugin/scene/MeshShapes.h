@@ -127,6 +127,8 @@ private:
         void readAnew();
     };
 
+    /// Whether an entity of that hull is known to shadow nothing of itself, whatever the light.
+    bool isConvex(const Ogre::Entity& entity, const BodyHull& hull);
     /// Null where vertices move.
     Entry* find(const Ogre::Entity& entity);
     Entry& find(const Ogre::MeshPtr& mesh);
