@@ -264,7 +264,7 @@ void CloudReading::restart() {
     mCloud = {};
     mBounds.setEmpty();
     mParts = {};
-    mIsOpen = false;
+    mHasOthers = false;
     mRelief.reset();
 }
 
@@ -294,7 +294,8 @@ bool CloudReading::read(const Ogre::Mesh&, const Parts& parts, ReadingAllowance&
         begin(Stage::Measure);
         mPartsBuilder.reset(mBounds);
         mReliefBuilder.reset(mBounds);
-        mIsOpen = std::ranges::any_of(parts, [](const Part& part) { return part.triangles == 0; });
+        mHasOthers =
+            std::ranges::any_of(parts, [](const Part& part) { return part.triangles == 0; });
     }
     if (mStage == Stage::Measure) {
         if (!readTriangles(parts, allowance)) return false;
@@ -313,7 +314,7 @@ bool CloudReading::read(const Ogre::Mesh&, const Parts& parts, ReadingAllowance&
     mBuilder = SurfaceCloudBuilder(mDiscs);
     mParts = mPartsBuilder.parts();
     mPartsBuilder = MeshPartsBuilder(mMostParts);
-    if (!mIsOpen) mRelief = mReliefBuilder.relief();
+    if (!mHasOthers) mRelief = mReliefBuilder.relief();
     return true;
 }
 
@@ -364,7 +365,7 @@ void CloudReading::use(const Part& part) {
     for (const auto& corners : mTriangles) {
         // An index beyond the vertices must not become another part's vertex.
         if (std::max({corners[0], corners[1], corners[2]}) >= part.vertexCount) {
-            mIsOpen = true;
+            mHasOthers = true;
             continue;
         }
         const Vec3 a = position(first + corners[0]);

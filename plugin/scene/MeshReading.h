@@ -163,8 +163,8 @@ private:
     MeshPartsBuilder mPartsBuilder;
     std::vector<Eigen::AlignedBox3f> mParts;
     ReliefBuilder mReliefBuilder;
-    /// Whether there is something that is no triangle of the mesh.
-    bool mIsOpen = false;
+    /// Whether there are lines, points, or triangles of vertices that there are not.
+    bool mHasOthers = false;
     std::optional<Relief> mRelief;
 };
 

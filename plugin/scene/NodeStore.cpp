@@ -63,9 +63,12 @@ void NodeStore::set(Slot slot, const Ogre::AxisAlignedBox& bounds, const Ogre::S
         return;
     }
     const FlatBox box = bounds.isFinite() ? FlatBox::of(bounds) : FlatBox{};
+    const auto replace = [&] {
+        if (place.block->replace(place.index, box)) noteLoose(*place.block);
+    };
     // Asked first: finding a box's key, and whether it has bounds, takes longer.
-    const bool stays = place.block != nullptr && bounds.isFinite() && place.block->keeps(box);
-    if (!stays && (!bounds.isFinite() || !box.hasBounds())) {
+    if (place.block != nullptr && bounds.isFinite() && place.block->keeps(box)) return replace();
+    if (!bounds.isFinite() || !box.hasBounds()) {
         if (place.unbounded) return;
         takeAway(slot);
         place.unbounded = true;
@@ -74,12 +77,9 @@ void NodeStore::set(Slot slot, const Ogre::AxisAlignedBox& bounds, const Ogre::S
         ++mSize;
         return;
     }
-    const std::uint64_t key = stays ? 0 : box.key();
-    if (stays ||
-        (place.block != nullptr && key >= place.block->firstKey && key < place.block->endKey)) {
-        if (place.block->replace(place.index, box)) noteLoose(*place.block);
-        return;
-    }
+    const std::uint64_t key = box.key();
+    if (place.block != nullptr && key >= place.block->firstKey && key < place.block->endKey)
+        return replace();
     takeAway(slot);
     insert(slot, key, box);
     ++mSize;

@@ -53,4 +53,8 @@ OracleLight oracleLight(const Ogre::Light& light, const Eigen::Vector3d& wsOrigi
     return result;
 }
 
+CasterFaces casterFaces(const Ogre::SceneManager& sceneManager) {
+    return sceneManager.getShadowCasterRenderBackFaces() ? CasterFaces::Backs : CasterFaces::Fronts;
+}
+
 } // namespace Lixel::Samples

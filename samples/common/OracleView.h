@@ -5,6 +5,7 @@
 namespace Ogre {
 class Camera;
 class Light;
+class SceneManager;
 } // namespace Ogre
 
 namespace Lixel::Samples {
@@ -26,5 +27,8 @@ OracleView oracleView(const Ogre::Camera& camera, int width, int height, double 
 */
 OracleLight oracleLight(const Ogre::Light& light,
                         const Eigen::Vector3d& wsOrigin = Eigen::Vector3d::Zero());
+
+/// Which sides of casters a scene manager draws into shadow maps.
+CasterFaces casterFaces(const Ogre::SceneManager& sceneManager);
 
 } // namespace Lixel::Samples

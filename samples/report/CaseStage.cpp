@@ -19,9 +19,7 @@ CaseStage::CaseStage(const SampleScene& scene, const TableOptions& options)
       mReach(static_cast<double>(scene.shadowDistance)),
       mStage({.headless = true, .width = options.width, .height = options.height}),
       mOracle(oracleOf(mStage, scene)),
-      mEmulation(mOracle, mStage.sceneManager().getShadowCasterRenderBackFaces()
-                              ? CasterFaces::Backs
-                              : CasterFaces::Fronts),
+      mEmulation(mOracle, casterFaces(mStage.sceneManager())),
       mCapture(mStage) {}
 
 void CaseStage::setView(const SampleView& view) {

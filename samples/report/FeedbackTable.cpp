@@ -96,9 +96,7 @@ public:
           mReach(static_cast<double>(scene.shadowDistance)),
           mFrames(frames),
           mOracle(collectTriangles(stage.sceneManager())),
-          mEmulation(mOracle, stage.sceneManager().getShadowCasterRenderBackFaces()
-                                  ? CasterFaces::Backs
-                                  : CasterFaces::Fronts) {
+          mEmulation(mOracle, casterFaces(stage.sceneManager())) {
         const double size = mReach > 0.0 ? mReach : mOracle.scene().box().diagonal().norm();
         mWalk = ReachPerFrame * static_cast<float>(size);
     }

@@ -124,9 +124,7 @@ public:
           mView(*std::ranges::find(film.scene.views, film.view, &SampleView::name)),
           mCandidates(candidates),
           mOracle(collectTriangles(stage.sceneManager())),
-          mEmulation(mOracle, stage.sceneManager().getShadowCasterRenderBackFaces()
-                                  ? CasterFaces::Backs
-                                  : CasterFaces::Fronts) {
+          mEmulation(mOracle, casterFaces(stage.sceneManager())) {
         mStage.setLight(defaultLight(film.scene, mView));
     }
 

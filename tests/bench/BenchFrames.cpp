@@ -134,7 +134,7 @@ std::vector<FrameRow> measureFrames(HeadlessOgre& ogre, std::size_t objects,
     std::vector<Contender> all;
     for (const std::string& manager : options.managers) {
         scenes.push_back(std::make_unique<BenchScene>(ogre, manager, objects));
-        if (options.announced) scenes.back()->announceChanges();
+        scenes.back()->setChangesAnnounced(options.announced);
         watches.push_back(std::make_unique<BenchWatch>(*scenes.back()));
         addContenders(*scenes.back(), *watches.back(), manager, all);
     }

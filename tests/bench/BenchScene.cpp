@@ -119,9 +119,9 @@ void BenchScene::setDrawing(bool draws) {
         viewer.target().getViewport(0)->setClearEveryFrame(draws);
 }
 
-void BenchScene::announceChanges() {
+void BenchScene::setChangesAnnounced(bool announced) {
     if (auto* const own = dynamic_cast<LixelSceneManager*>(&mManager))
-        own->setChangesAnnounced(true);
+        own->setChangesAnnounced(announced);
 }
 
 void BenchScene::turn(int frame) {

@@ -38,8 +38,9 @@ public:
     ~BenchScene();
 
     Ogre::SceneManager& manager() { return mManager; }
-    /// Promises LixelSceneManager that changes of objects will be announced; nothing in others.
-    void announceChanges();
+    /// Whether LixelSceneManager is promised that changes of objects will be announced; others are
+    /// promised nothing.
+    void setChangesAnnounced(bool announced);
     std::size_t objects() const { return mNodes.size(); }
 
     /// From the next frame on.

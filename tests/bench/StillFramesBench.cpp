@@ -84,7 +84,7 @@ public:
     /// From the next frame on.
     void use(const StillContender& contender, bool shadows) {
         mScene.use(BenchView::Inside, shadows ? contender.setup : nullptr);
-        static_cast<LixelSceneManager&>(mScene.manager()).setChangesAnnounced(contender.announced);
+        mScene.setChangesAnnounced(contender.announced);
     }
     /// Frames are timed by the process's own clock, which others on the machine do not disturb.
     BenchTimes draw() {

@@ -171,9 +171,7 @@ public:
           mReach(static_cast<double>(scene.shadowDistance)) {
         mStage.show(scene);
         mOracle.emplace(collectTriangles(mStage.sceneManager()));
-        mEmulation.emplace(*mOracle, mStage.sceneManager().getShadowCasterRenderBackFaces()
-                                         ? CasterFaces::Backs
-                                         : CasterFaces::Fronts);
+        mEmulation.emplace(*mOracle, casterFaces(mStage.sceneManager()));
     }
 
     void set(const SampleView& view, const SampleLight& light) {

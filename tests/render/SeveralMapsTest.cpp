@@ -37,9 +37,7 @@ TEST_P(SeveralMaps, OfTheSunAreDrawnAsEmulated) {
     stage.show(scene);
     const double reach = static_cast<double>(scene.shadowDistance);
     const ShadowOracle oracle(collectTriangles(stage.sceneManager()));
-    MapEmulation emulation(oracle, stage.sceneManager().getShadowCasterRenderBackFaces()
-                                       ? CasterFaces::Backs
-                                       : CasterFaces::Fronts);
+    MapEmulation emulation(oracle, casterFaces(stage.sceneManager()));
     MapCapture capture(stage);
     const NamedSetup& setup = *findEmulatedSetup(GetParam());
     for (const SampleLight& light : std::span(scene.lights).first(2)) {

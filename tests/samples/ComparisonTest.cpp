@@ -112,7 +112,7 @@ std::vector<std::string> linesOf(const std::string& begin, const std::function<v
     return lines;
 }
 
-/// Under all setups, of which all but these two err by 4 %.
+/// One case under all setups. Others than these two err by 4 %.
 TableCase caseWithTwo(const std::string& scene, double optimal, double uniform) {
     TableCase one{scene, "view", "light", true, {}};
     for (const NamedSetup& setup : emulatedSetups()) {

@@ -69,6 +69,16 @@ protected:
         return mSurvey;
     }
 
+    /// Sets what the last survey knows of a problem, whose light is set.
+    void describe(ShadowProblem& problem) {
+        problem.viewer = mSurvey.viewer();
+        problem.receivers = &mSurvey.receivers();
+        problem.receiverShapes = &mSurvey.receiverShapes();
+        problem.visiblePoints = mSurvey.visiblePoints();
+        problem.casters = &mSearch.find(mSurvey, problem.light, 0.0);
+        problem.casterShapes = &mSearch.shapes();
+    }
+
     /// A vertex, relative to the survey's origin.
     Vec3 placed(int vertex) const {
         const Vector3 ws = mNode->_getFullTransform() * mVertices[static_cast<std::size_t>(vertex)];
@@ -177,12 +187,7 @@ TEST_P(MeshPartsTest, LeaveMapsSteadyWhileTheViewerTurns) {
             Ogre::Quaternion(Ogre::Degree(-15), Vector3::UNIT_X));
         takeSurvey(Most);
         ASSERT_GT(mSurvey.receivers().size(), 1U);
-        problem.viewer = mSurvey.viewer();
-        problem.receivers = &mSurvey.receivers();
-        problem.receiverShapes = &mSurvey.receiverShapes();
-        problem.visiblePoints = mSurvey.visiblePoints();
-        problem.casters = &mSearch.find(mSurvey, problem.light, 0.0);
-        problem.casterShapes = &mSearch.shapes();
+        describe(problem);
         const ShadowFit fit = fitMap(problem, OptimalOptions{}, state);
         ASSERT_TRUE(fit.hasMap());
         // The first frame has no frame before; an axis that turns for a smaller map is forgiven.
@@ -215,14 +220,9 @@ TEST_P(MeshPartsTest, ShadowNothingOfEachOtherUnderAHighSun) {
     takeSurveyInParts();
     ASSERT_GT(mSurvey.receivers().size(), 1U);
     ShadowProblem problem;
-    problem.viewer = mSurvey.viewer();
-    problem.receivers = &mSurvey.receivers();
-    problem.receiverShapes = &mSurvey.receiverShapes();
-    problem.visiblePoints = mSurvey.visiblePoints();
     for (const double height : {0.3, 3.0}) {
         problem.light.wsDirection = Vec3(1.0, -height, 0.4);
-        problem.casters = &mSearch.find(mSurvey, problem.light, 0.0);
-        problem.casterShapes = &mSearch.shapes();
+        describe(problem);
         FitState state;
         const ShadowFit fit = fitMap(problem, OptimalOptions{}, state);
         EXPECT_EQ(fit.hasMap(), height < 1.0);

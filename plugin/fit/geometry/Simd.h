@@ -43,10 +43,6 @@ using EightBits = std::uint32_t __attribute__((vector_size(32)));
     std::memcpy(&result, from, sizeof(result));
 }
 
-[[gnu::always_inline]] inline void store(const EightFloats& value, float* to) {
-    std::memcpy(to, &value, sizeof(value));
-}
-
 /// The lesser and the greater; b where either is not a number.
 [[gnu::always_inline]] inline void lesser(const Four& a, const Four& b, Four& result) {
     result = a < b ? a : b;
