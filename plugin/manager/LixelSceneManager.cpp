@@ -58,10 +58,11 @@ void widen(Ogre::VisibleObjectsBoundsInfo& bounds, const Ogre::VisibleObjectsBou
 
 LixelSceneManager::LixelSceneManager(const Ogre::String& name)
     : SceneManager(name),
-      mStore(std::make_shared<NodeStore>()),
+      mNodes(std::make_shared<SceneNodes>()),
+      mStore(&mNodes->store),
       mVisible(std::make_unique<VisibleObjects>()),
       mBatches(std::make_unique<CasterBatches>()) {
-    setStore(*this, mStore.get());
+    setStore(*this, mStore);
 }
 
 LixelSceneManager::~LixelSceneManager() {
@@ -92,14 +93,15 @@ void LixelSceneManager::clearScene() {
 }
 
 Ogre::SceneNode* LixelSceneManager::createSceneNodeImpl() {
-    return new LixelSceneNode(*this, mStore);
+    return new LixelSceneNode(*this, mNodes);
 }
 
 Ogre::SceneNode* LixelSceneManager::createSceneNodeImpl(const Ogre::String& name) {
-    return new LixelSceneNode(*this, name, mStore);
+    return new LixelSceneNode(*this, name, mNodes);
 }
 
 void LixelSceneManager::_updateSceneGraph(Ogre::Camera* camera) {
+    mNodes->moved.setRoot(static_cast<const LixelSceneNode*>(getRootSceneNode()));
     SceneManager::_updateSceneGraph(camera);
     mStore->tighten();
 }

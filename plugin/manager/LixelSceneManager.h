@@ -13,6 +13,7 @@ class NodeStore;
 class VisibleObjects;
 struct LayerPart;
 struct MapShortcuts;
+struct SceneNodes;
 
 /// @addtogroup LixelSceneManager
 /// @{
@@ -118,7 +119,9 @@ private:
     Ogre::SceneNode* createSceneNodeImpl() override;
     Ogre::SceneNode* createSceneNodeImpl(const Ogre::String& name) override;
 
-    std::shared_ptr<NodeStore> mStore;
+    std::shared_ptr<SceneNodes> mNodes;
+    /// One of them.
+    NodeStore* mStore;
     std::unique_ptr<VisibleObjects> mVisible;
     std::unique_ptr<CasterBatches> mBatches;
     bool mUsesBatches = true;

@@ -32,15 +32,17 @@ bool mayBeSeen(const Ogre::MovableObject* object) {
 } // namespace
 
 LixelSceneNode::~LixelSceneNode() {
-    if (mMatters) mStore->noteChange();
-    if (mSlot != NodeStore::NoSlot) mStore->remove(mSlot);
+    mNodes->moved.remove(*this);
+    if (mNodes->moved.root() == this) mNodes->moved.setRoot(nullptr);
+    if (mMatters) store().noteChange();
+    if (mSlot != NodeStore::NoSlot) store().remove(mSlot);
 }
 
 void LixelSceneNode::attachObject(Ogre::MovableObject* object) {
     SceneNode::attachObject(object);
     // At once: OGRE updates nodes by their addresses, and the order of drawing must not depend on
     // it.
-    if (mSlot == NodeStore::NoSlot) mSlot = mStore->add(*this);
+    if (mSlot == NodeStore::NoSlot) mSlot = store().add(*this);
     noteObjects();
 }
 
@@ -69,33 +71,51 @@ void LixelSceneNode::detachAllObjects() {
 void LixelSceneNode::noteObjects() {
     if (mSlot == NodeStore::NoSlot) return;
     const auto& objects = getAttachedObjects();
-    mStore->setOnlyObject(mSlot, objects.size() == 1 ? objects.front() : nullptr);
+    store().setOnlyObject(mSlot, objects.size() == 1 ? objects.front() : nullptr);
     const bool didMatter = std::exchange(mMatters, std::ranges::any_of(objects, mayBeSeen));
-    if (didMatter || mMatters) mStore->noteChange();
+    if (didMatter || mMatters) store().noteChange();
 }
 
 void LixelSceneNode::updateFromParentImpl() const {
     // Its box is next.
-    if (mSlot != NodeStore::NoSlot) mStore->prefetchPlace(mSlot);
+    if (mSlot != NodeStore::NoSlot) store().prefetchPlace(mSlot);
     SceneNode::updateFromParentImpl();
-    if (mMatters) mStore->noteChange();
+    if (mMatters) store().noteChange();
+}
+
+void LixelSceneNode::needUpdate(bool forceParentUpdate) {
+    // What has no parent is the root, or out of the scene graph.
+    if (mParent == nullptr || mParent != mNodes->moved.root())
+        return SceneNode::needUpdate(forceParentUpdate);
+    mNeedParentUpdate = true;
+    mNeedChildUpdate = true;
+    mCachedTransformOutOfDate = true;
+    if (!mParentNotified || forceParentUpdate) mNodes->moved.add(*this);
+    mParentNotified = true;
+    mChildrenToUpdate.clear(); // all of them are updated
+}
+
+void LixelSceneNode::_update(bool updateChildren, bool parentHasChanged) {
+    SceneNode::_update(updateChildren, parentHasChanged);
+    if (updateChildren && mNodes->moved.root() == this) mNodes->moved.update();
 }
 
 void LixelSceneNode::setParent(Ogre::Node* parent) {
+    mNodes->moved.remove(*this);
     SceneNode::setParent(parent);
     // A new node has nothing yet that comes or goes with it.
-    if (mSlot != NodeStore::NoSlot || numChildren() > 0) mStore->announceChange();
+    if (mSlot != NodeStore::NoSlot || numChildren() > 0) store().announceChange();
 }
 
 void LixelSceneNode::_updateBounds() {
     mWorldAABB.setNull();
     if (getAttachedObjects().empty()) {
         if (mSlot == NodeStore::NoSlot) return;
-        mStore->remove(mSlot);
+        store().remove(mSlot);
         mSlot = NodeStore::NoSlot;
         return;
     }
-    mStore->prefetchBox(mSlot);
+    store().prefetchBox(mSlot);
     // OGRE asserts on boxes of objects at places that are not finite.
     const bool placed = isFinite(_getFullTransform());
     if (placed) {
@@ -108,9 +128,9 @@ void LixelSceneNode::_updateBounds() {
                    "until it has");
     }
     mReported = !placed;
-    const Ogre::MovableObject* const only = mStore->onlyObject(mSlot);
+    const Ogre::MovableObject* const only = store().onlyObject(mSlot);
     // Derived at once, not when it is asked for: sphere queries find what no camera has seen.
-    mStore->set(mSlot, mWorldAABB,
+    store().set(mSlot, mWorldAABB,
                 placed && only != nullptr ? only->getWorldBoundingSphere(true) : Ogre::Sphere());
 }
 
