@@ -17,25 +17,35 @@ namespace {
 /// operation (2⁻²⁴), and covers the slack of CasterVolume (2⁻²¹).
 constexpr float Rounding = 0x1p-19F;
 
+/// A vector in space for each of eight boxes. No array of them: GCC would put it into memory.
+struct EightVectors {
+    EightFloats x, y, z;
+
+    /// @param from lanes of x, y and z, on a line of the cache
+    [[gnu::always_inline]] explicit EightVectors(const float (&from)[3][BoxBlock::Lanes]) {
+        loadAligned(from[0], x);
+        loadAligned(from[1], y);
+        loadAligned(from[2], z);
+    }
+};
+
 /// Compares boxes with the planes that cut their block, eight at a time.
 LIXEL_MULTIVERSION void compare(const BoxBlock& block, const ScanPlanes& planes,
-                                const BoxBlock::Cut& cut, BoxBlock::Found& found) {
+                                const BoxBlock::Cut& cut, BoxBlock::Found& result) {
+    BoxBlock::Found found;
     for (std::size_t i = 0; i * BoxBlock::Lanes < block.count; ++i) {
-        const BoxBlock::Eight& eight = block.boxes[i];
-        std::array<EightFloats, 3> centre;
-        std::array<EightFloats, 3> half;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            load(eight.centre[axis], centre[axis]);
-            load(eight.half[axis], half[axis]);
-        }
+        const EightVectors centre(block.boxes[i].centre);
+        const EightVectors half(block.boxes[i].half);
         EightMask inside = EightMask{} == 0;
         EightMask outside{};
         for (std::size_t k = 0; k < cut.count; ++k) {
             const std::size_t plane = cut.planes[k];
-            EightFloats reach = EightFloats{} + planes.offset[plane];
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                reach += planes.normal[axis][plane] * centre[axis] +
-                         planes.size[axis][plane] * half[axis];
+            const auto& normal = planes.normal;
+            const auto& size = planes.size;
+            const EightFloats reach =
+                (planes.offset[plane] + normal[0][plane] * centre.x + size[0][plane] * half.x) +
+                ((normal[1][plane] * centre.y + size[1][plane] * half.y) +
+                 (normal[2][plane] * centre.z + size[2][plane] * half.z));
             inside &= reach > cut.doubt;
             outside |= reach < -cut.doubt;
         }
@@ -43,8 +53,8 @@ LIXEL_MULTIVERSION void compare(const BoxBlock& block, const ScanPlanes& planes,
         found.certain |= std::uint64_t{bitsOf(inside)} << shift;
         found.doubtful |= std::uint64_t{bitsOf(~inside & ~outside)} << shift;
     }
-    found.certain &= block.allBoxes();
-    found.doubtful &= block.allBoxes();
+    result.certain = found.certain & block.allBoxes();
+    result.doubtful = found.doubtful & block.allBoxes();
 }
 
 /// Compares a block's own box with planes, eight at a time.

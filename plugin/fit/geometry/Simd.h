@@ -43,6 +43,12 @@ using EightBits = std::uint32_t __attribute__((vector_size(32)));
     std::memcpy(&result, from, sizeof(result));
 }
 
+/// The same of memory that is aligned as a register of AVX2 is: one load, where GCC otherwise makes
+/// two of halves.
+[[gnu::always_inline]] inline void loadAligned(const float* from, EightFloats& result) {
+    std::memcpy(&result, __builtin_assume_aligned(from, sizeof(result)), sizeof(result));
+}
+
 /// The lesser and the greater; b where either is not a number.
 [[gnu::always_inline]] inline void lesser(const Four& a, const Four& b, Four& result) {
     result = a < b ? a : b;
