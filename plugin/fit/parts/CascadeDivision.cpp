@@ -18,7 +18,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double JudgedChange = 0.1;
 
 /// Least gain, relative, for which a division replaces another. A viewer who turns all around on a
-/// plain under a low sun sees 5 replaced; with half of it 15, for a gain that nobody sees.
+/// plain under a low sun sees 7 replaced; with half of it 15, for a gain that nobody sees.
 constexpr double LeastGain = 0.2;
 
 /// Fewer samples judge nothing.
