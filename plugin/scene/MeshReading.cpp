@@ -30,7 +30,7 @@ constexpr double CopyTime = 0.004;
 constexpr double TriangleTime = 0.030;
 /// A triangle that is given to a part, and one that may be of a relief.
 constexpr double PartTime = 0.060;
-constexpr double ReliefTime = 0.040;
+constexpr double ReliefTime = 0.055;
 /// A whole hull, of what is known of its points; a cloud's discs.
 constexpr double BuildTime = 6.0;
 constexpr double DiscsTime = 6.0;
@@ -315,6 +315,7 @@ bool CloudReading::read(const Ogre::Mesh&, const Parts& parts, ReadingAllowance&
     mParts = mPartsBuilder.parts();
     mPartsBuilder = MeshPartsBuilder(mMostParts);
     if (!mHasOthers) mRelief = mReliefBuilder.relief();
+    mReliefBuilder = {};
     return true;
 }
 

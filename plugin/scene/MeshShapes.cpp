@@ -216,7 +216,7 @@ bool MeshShapes::isSelfShadowFree(const Ogre::Entity& entity, SelfShadowFree& bo
     for (const Vec3& vertex : hull->vertices)
         bounds.extend(vertex);
     body.around.box = {bounds.center(), bounds.sizes() / 2.0};
-    body.relief.reset();
+    body.relief = nullptr;
     if (isConvex(entity, *hull)) return true;
     Entry& entry = find(entity.getMesh());
     // Where parts are wanted, the surface is read with them.
@@ -224,8 +224,9 @@ bool MeshShapes::isSelfShadowFree(const Ogre::Entity& entity, SelfShadowFree& bo
     if (!entry.convex.isDone() || (surface.isDone() && !surface.relief())) return false;
     if (darkensWhatIsUnlit(entity._getManager()) || !showsOutsideAlone(entity)) return false;
     advance(surface, *entity.getMesh());
-    body.relief = surface.relief();
-    return body.relief.has_value();
+    if (!surface.relief()) return false;
+    body.relief = &*surface.relief();
+    return true;
 }
 
 void ObjectShapes::reset(MeshShapes& meshes, const Vec3& wsOrigin) {

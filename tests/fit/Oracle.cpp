@@ -150,11 +150,17 @@ std::optional<Vec3> occluder(const Scene& scene, std::size_t receiver, const Vec
     double farthest = first;
     const Bodies casters = castersOf(scene);
     const std::uintptr_t self = scene.turnedReceivers.numberOf(receiver);
-    for (std::size_t i = 0; i < casters.size(); ++i) {
-        if (self != 0 && scene.turnedCasters.numberOf(i) == self) continue;
-        if (const auto hit = casters.meet(i, ws, direction))
-            if (hit->begin < last) farthest = std::max(farthest, std::min(hit->end, last));
-    }
+    const auto consider = [&](const std::optional<Interval>& hit) {
+        if (hit && hit->begin < last) farthest = std::max(farthest, std::min(hit->end, last));
+    };
+    for (std::size_t i = 0; i < casters.size(); ++i)
+        if (self == 0 || scene.turnedCasters.numberOf(i) != self)
+            consider(casters.meet(i, ws, direction));
+        else
+            for (const auto& [box, wsFromBody] : scene.turnedCasters.slopesOf(i, scene.light)) {
+                const Transform3 bodyFromWs = wsFromBody.inverse();
+                consider(rayInBox(box, bodyFromWs * ws, bodyFromWs.linear() * direction));
+            }
     if (farthest == first) return std::nullopt;
     return ws + farthest * direction;
 }

@@ -156,6 +156,25 @@ std::uintptr_t TurnedBoxes::numberOf(std::size_t index) const noexcept {
     return found != convex.end() ? found->number : 0;
 }
 
+std::vector<PlacedBox> TurnedBoxes::slopesOf(std::size_t index, const ShadowLight& light) const {
+    std::vector<PlacedBox> slopes;
+    const auto found = std::ranges::find(convex, index, &ConvexBox::index);
+    if (found == convex.end() || !found->relief) return slopes;
+    const Relief& relief = *found->relief;
+    const Transform3& wsFromBody = found->around.wsFromBody;
+    const bool isSun = light.kind == LightKind::Directional;
+    Vec4 towards = light.wsPosition.homogeneous();
+    if (isSun) towards << -light.wsDirection, 0.0;
+    towards = wsFromBody.inverse() * towards;
+    if (isSun && relief.isBelow(towards.head<3>())) return slopes;
+    for (const ReliefCell& cell : relief.cells)
+        if (!relief.isLit(cell, towards))
+            slopes.push_back(
+                {{cell.bounds.center().cast<double>(), cell.bounds.sizes().cast<double>() / 2.0},
+                 wsFromBody});
+    return slopes;
+}
+
 void TurnedBoxes::clear() {
     all.clear();
     convex.clear();
@@ -173,7 +192,7 @@ bool TurnedBoxes::isInParts(const void* identity) const noexcept {
 bool TurnedBoxes::isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept {
     const auto found = std::ranges::find(convex, index, &ConvexBox::index);
     if (found == convex.end()) return false;
-    body = {found->around, found->relief};
+    body = {found->around, found->relief ? &*found->relief : nullptr};
     return true;
 }
 
@@ -307,6 +326,10 @@ Scene scaled(const Scene& scene, double factor) {
             body.around.box.centre *= factor;
             body.around.box.halfExtents *= factor;
             body.around.wsFromBody.translation() *= factor;
+            if (!body.relief) continue;
+            for (ReliefCell& cell : body.relief->cells)
+                cell.bounds = {cell.bounds.min() * static_cast<float>(factor),
+                               cell.bounds.max() * static_cast<float>(factor)};
         }
         const auto scaledBox = [&](const Aabb& box) {
             return Aabb{box.centre * factor, box.halfExtents * factor};
@@ -385,6 +408,25 @@ rc::Gen<Scene> anyScene() {
 
 namespace {
 
+/// Slopes somewhere in a body's box.
+Relief anyRelief(const Aabb& box, Dice& dice) {
+    const bool isGround = dice.chance(0.5);
+    Relief relief{isGround ? Vec3::UnitY() : Vec3(-Vec3::UnitX()), dice.in(0.0, 0.9)};
+    const double steepest = relief.steepness / std::sqrt(1.0 - relief.steepness * relief.steepness);
+    for (int i = dice.chance(0.7) ? 8 : 0; i > 0; --i) {
+        ReliefCell cell;
+        for (int corner = 0; corner < 2; ++corner) {
+            // Within it in single precision too.
+            const Vec3 at(dice.in(-0.99, 0.99), dice.in(-0.99, 0.99), dice.in(-0.99, 0.99));
+            cell.bounds.extend((box.centre + box.halfExtents.cwiseProduct(at)).cast<float>());
+        }
+        for (float& rise : cell.rise)
+            rise = static_cast<float>(dice.in(-0.2, 1.0) * steepest);
+        relief.cells.push_back(cell);
+    }
+    return relief;
+}
+
 /// Has some or all of the bodies that cast and receive say that they are convex.
 void sayConvex(Scene& scene, Dice& dice) {
     if (dice.chance(0.3)) return;
@@ -398,9 +440,10 @@ void sayConvex(Scene& scene, Dice& dice) {
                 continue;
             // Some say so of some lights alone.
             std::optional<Relief> relief;
-            if (dice.chance(0.3))
-                relief = Relief{dice.chance(0.5) ? Vec3::UnitY() : Vec3(-Vec3::UnitX()),
-                                dice.in(0.0, 0.9)};
+            const TurnedBox* const turned = scene.turnedCasters.find(i);
+            if (dice.chance(0.5))
+                relief = anyRelief(
+                    turned != nullptr ? Aabb{Vec3::Zero(), turned->box.halfExtents} : caster, dice);
             scene.setConvex(i, k, relief);
         }
 }

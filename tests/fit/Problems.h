@@ -40,7 +40,7 @@ struct ConvexBox {
     /// The same for the body among casters as among receivers; greater than 0.
     std::uintptr_t number = 0;
     PlacedBox around;
-    /// It says so of these lights alone.
+    /// It says so of what faces the light alone.
     std::optional<Relief> relief = std::nullopt;
 };
 
@@ -52,6 +52,8 @@ struct TurnedBoxes final : BodyShapes {
     const TurnedBox* find(std::size_t index) const;
     /// The number of a convex body; 0 of others.
     std::uintptr_t numberOf(std::size_t index) const noexcept;
+    /// Boxes around what a relief may shadow of itself with.
+    std::vector<PlacedBox> slopesOf(std::size_t index, const ShadowLight& light) const;
     void clear();
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
     const void* identityOf(std::size_t index) const noexcept override;

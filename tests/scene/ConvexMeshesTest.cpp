@@ -103,7 +103,7 @@ protected:
         if (result) {
             EXPECT_TRUE(ofCaster.around.wsFromBody.isApprox(mBody.around.wsFromBody));
             EXPECT_EQ(ofCaster.around.box.halfExtents, mBody.around.box.halfExtents);
-            EXPECT_EQ(ofCaster.relief.has_value(), mBody.relief.has_value());
+            EXPECT_EQ(ofCaster.relief, mBody.relief);
         }
         return result;
     }
@@ -186,6 +186,7 @@ TEST_P(ConvexMeshesTest, AreNotHills) {
     EXPECT_EQ(mBody.relief->axis, Vec3::UnitY());
     // From 3 to 4 units from its middle, along both.
     EXPECT_NEAR(mBody.relief->steepness, std::sin(std::atan(0.35 * std::sqrt(2.0))), 1e-5);
+    EXPECT_GT(mBody.relief->cells.size(), 4U);
 }
 
 TEST_P(ConvexMeshesTest, AreNotTwoGroundsInOne) {

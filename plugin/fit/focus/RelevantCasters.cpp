@@ -62,6 +62,8 @@ void RelevantCasters::addAll(const BoxSet& casters) {
             add(box, index);
             return revision != mScratch.casters.revision() || lsNear != mLsNear;
         });
+    for (const Aabb& slope : mScratch.selfShadowFree.slopes())
+        add(slope, PlacedHull(nullptr, 0));
     for (const SelfShadowFreeBody& body : mScratch.selfShadowFree.all())
         addSelfShadowFree(body);
 }
@@ -114,19 +116,22 @@ void RelevantCasters::findInnerEdges() {
 }
 
 void RelevantCasters::add(const Aabb& box, std::size_t index) {
-    if (mScratch.selfShadowFree.hasCaster(index)) return;
-    const double nearest = project(box, index);
+    if (!mScratch.selfShadowFree.hasCaster(index))
+        add(box, PlacedHull(mProblem.casterShapes, index));
+}
+
+void RelevantCasters::add(const Aabb& box, const PlacedHull& body) {
+    const double nearest = project(box, body);
     if (mScratch.points.empty() || !clipToReceivers(box)) return;
     mLsNear = std::min(mLsNear, nearest);
     mScratch.casters.add(mScratch.points);
 }
 
-double RelevantCasters::project(const Aabb& box, std::size_t index) {
+double RelevantCasters::project(const Aabb& box, const PlacedHull& body) {
     double nearest = std::numeric_limits<double>::infinity();
     mScratch.points.clear();
     const ConvexVolume::Side side = mLit.classify(box);
     if (side == ConvexVolume::Side::Outside) return nearest;
-    const PlacedHull body(mProblem.casterShapes, index);
     if (body.hull == nullptr && side == ConvexVolume::Side::Inside) {
         for (const Vec2& point : boxImage(mImage, box))
             mScratch.points.push_back(point);
@@ -142,7 +147,7 @@ double RelevantCasters::project(const Aabb& box, std::size_t index) {
 
 void RelevantCasters::addSelfShadowFree(const SelfShadowFreeBody& body) {
     const Aabb box = mProblem.casters->box(body.caster);
-    const double nearest = project(box, body.caster);
+    const double nearest = project(box, PlacedHull(mProblem.casterShapes, body.caster));
     if (mScratch.points.empty() || !clipToReceivers(box)) return;
     // Most are among others, and whether they shadow themselves makes no difference.
     if (mScratch.casters.holds(mScratch.points)) {

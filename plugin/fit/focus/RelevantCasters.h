@@ -7,6 +7,8 @@
 
 namespace Lixel {
 
+struct PlacedHull;
+
 /// Collects what casters cover of the visible receivers.
 class RelevantCasters {
 public:
@@ -36,9 +38,10 @@ private:
     void findInnerEdges();
     /// @param index of the body in the problem's set
     void add(const Aabb& box, std::size_t index);
+    void add(const Aabb& box, const PlacedHull& body);
     /// Leaves the image of what is lit of a caster in the scratch memory's points.
     /// @return its least distance along the light; infinite where there are no points
-    double project(const Aabb& box, std::size_t index);
+    double project(const Aabb& box, const PlacedHull& body);
     /// Adds what a body without shadows on itself covers of visible receivers behind it.
     void addSelfShadowFree(const SelfShadowFreeBody& body);
     /// Of each caster only what covers visible receivers: one that touches them with a corner then

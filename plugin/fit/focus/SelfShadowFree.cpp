@@ -11,24 +11,36 @@ namespace {
 /// is: what it covers of itself is a small part of what is visible.
 constexpr double LeastSize = 0.25;
 
-/// Whether all of a body faces the light, wherever in its box, or need not.
-bool isLitAsWanted(const SelfShadowFree& body, const LightImage& image) {
-    if (!body.around.wsFromBody.matrix().allFinite()) return false;
-    if (!body.relief) return true;
-    const Transform3 bodyFromWs = body.around.wsFromBody.inverse(Eigen::Affine);
-    const Vec4 light = bodyFromWs * image.wsLight();
-    if (image.directional()) return body.relief->isBelow(light.head<3>());
-    // Directions higher than the slopes are a cone: with those from the corners it has all others.
-    return std::ranges::all_of(corners(body.around.box), [&](const Vec3& corner) {
-        return body.relief->isBelow(light.head<3>() - corner);
-    });
-}
+/// A relief of which more than this part may face away from the light is left as it is.
+constexpr double MostSlopes = 0.5;
 
 } // namespace
 
+/// @return false where the body is better left as it is
+bool SelfShadowFreeBodies::addSlopes(const SelfShadowFree& body, const LightImage& image) {
+    const Transform3& wsFromBody = body.around.wsFromBody;
+    if (!wsFromBody.matrix().allFinite()) return false;
+    if (body.relief == nullptr) return true;
+    const Relief& relief = *body.relief;
+    const Vec4 light = wsFromBody.inverse(Eigen::Affine) * image.wsLight();
+    if (image.directional() && relief.isBelow(light.head<3>())) return true;
+    const std::size_t first = mSlopes.size();
+    const auto most =
+        static_cast<std::size_t>(MostSlopes * static_cast<double>(relief.cells.size()));
+    const Mat3 reach = wsFromBody.linear().cwiseAbs();
+    for (const ReliefCell& cell : relief.cells) {
+        if (relief.isLit(cell, light)) continue;
+        const Eigen::AlignedBox3d bounds = cell.bounds.cast<double>();
+        mSlopes.push_back({wsFromBody * bounds.center(), reach * (bounds.sizes() / 2.0)});
+    }
+    const bool isWorthIt = !relief.cells.empty() && mSlopes.size() - first <= most;
+    if (!isWorthIt) mSlopes.resize(first);
+    return isWorthIt;
+}
+
 void SelfShadowFreeBodies::find(const ShadowProblem& problem, const LightImage& image,
                                 const BoxSet& casters, const BoxSet& receivers) {
-    mCount = 0;
+    clear();
     if (problem.casterShapes == nullptr || problem.receiverShapes == nullptr) return;
     std::array<std::size_t, Most> largest;
     std::array<const void*, Most> identities;
@@ -49,8 +61,7 @@ void SelfShadowFreeBodies::find(const ShadowProblem& problem, const LightImage& 
             !problem.receiverShapes->isInParts(body.identity))
             continue;
         SelfShadowFree known;
-        if (!problem.casterShapes->isSelfShadowFree(body.caster, known) ||
-            !isLitAsWanted(known, image))
+        if (!problem.casterShapes->isSelfShadowFree(body.caster, known) || !addSlopes(known, image))
             continue;
         body.around = known.around;
         mBodies[mCount++] = body;

@@ -8,7 +8,8 @@
 
 namespace Lixel {
 
-/// A body that casts and receives, and shadows nothing of itself that faces the problem's light.
+/// A body that casts and receives, and shadows nothing of itself that faces the problem's light,
+/// but for what its slopes shadow.
 struct SelfShadowFreeBody {
     /// Its index among the problem's casters.
     std::size_t caster = 0;
@@ -17,8 +18,8 @@ struct SelfShadowFreeBody {
     PlacedBox around;
 };
 
-/** The largest bodies of a problem that shadow nothing of themselves: convex ones, and reliefs
-    under lights above their slopes.
+/** The largest bodies of a problem that shadow nothing of themselves: convex ones; and reliefs,
+    those of whose slopes that may face away from the light cast by themselves.
 
     A ground is before itself for the light, box by box, and would have all that is visible of it in
     the map. The few largest bodies are those that this matters for; smaller ones count as casting
@@ -32,13 +33,21 @@ public:
     void find(const ShadowProblem& problem, const LightImage& image, const BoxSet& casters,
               const BoxSet& receivers);
 
-    void clear() { mCount = 0; }
+    void clear() {
+        mCount = 0;
+        mSlopes.clear();
+    }
     std::span<const SelfShadowFreeBody> all() const { return {mBodies.data(), mCount}; }
+    /// Boxes around what the bodies may shadow themselves with, in the problem's space.
+    std::span<const Aabb> slopes() const { return mSlopes; }
     bool hasCaster(std::size_t index) const;
 
 private:
+    bool addSlopes(const SelfShadowFree& body, const LightImage& image);
+
     std::array<SelfShadowFreeBody, Most> mBodies;
     std::size_t mCount = 0;
+    std::vector<Aabb> mSlopes;
 };
 
 /// Half spaces that hold what the body may shadow: behind those faces of its box that the light

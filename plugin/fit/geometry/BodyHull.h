@@ -69,8 +69,9 @@ struct PlacedBox {
 struct SelfShadowFree {
     /// Around the body.
     PlacedBox around;
-    /// Whose lights those have to be, in the body's own space; none where any will do.
-    std::optional<Relief> relief;
+    /// Which of its surface does nevertheless, in the body's own space; null where nothing does. It
+    /// must outlive the fit.
+    const Relief* relief = nullptr;
 };
 
 /// What is known of the bodies of a set beyond their boxes. A fit asks for those few that its map
@@ -85,15 +86,15 @@ public:
     /// Whether the set has a body as boxes of its parts, which all have its identity.
     virtual bool isInParts(const void* /*identity*/) const noexcept { return false; }
 
-    /** Whether the body is known to shadow nothing of itself that faces the light: a flat sheet,
-        the closed surface of a convex body, or a relief under lights above its slopes, drawn from
+    /** Whether the body is known to shadow nothing of itself that faces the light: a flat sheet or
+        the closed surface of a convex body; or, but for slopes that face away, a relief; drawn from
         outside alone.
 
         No light ray meets such a body twice on sides that face the light. So whatever it shadows of
         itself faces away from the light (n . l <= 0), and is dark without a map. Materials must
         shade it so, by the normals of its surface. A sheet that is lit on the side that the
         viewer does not see is dark in the same way, whether or not both its sides are drawn.
-        @param[out] body where the answer is true: under which lights, and a box around it */
+        @param[out] body where the answer is true: a box around it, and its relief */
     virtual bool isSelfShadowFree(std::size_t /*index*/, SelfShadowFree& /*body*/) const noexcept {
         return false;
     }

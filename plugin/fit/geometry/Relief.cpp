@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace Lixel {
 namespace {
@@ -41,7 +43,67 @@ std::uint64_t edgeNumber(const PointHash& from, const PointHash& to) {
     return from.first * to.second - from.second * to.first;
 }
 
+constexpr std::size_t Directions = ReliefCell::Directions;
+constexpr double Turn = 2.0 * std::numbers::pi / static_cast<double>(Directions);
+
+using Rises = Eigen::Array<float, Directions, 1>;
+
+struct DirectionTable {
+    Rises cosines;
+    Rises sines;
+
+    DirectionTable() {
+        for (std::size_t k = 0; k < Directions; ++k) {
+            const double angle = Turn * static_cast<double>(k);
+            cosines[static_cast<Eigen::Index>(k)] = static_cast<float>(std::cos(angle));
+            sines[static_cast<Eigen::Index>(k)] = static_cast<float>(std::sin(angle));
+        }
+    }
+};
+const DirectionTable AllDirections;
+
+/// What slopes may rise along a vector across the axis, at most. What the steepest of some slopes
+/// rises is no more along a sum of vectors than the sum of what it rises along each.
+double riseAlong(const Rises& rises, const Vec2& vector) {
+    const double angle = std::atan2(vector.y(), vector.x());
+    const double turns = (angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle) / Turn;
+    const double before = std::floor(turns);
+    const double part = (turns - before) * Turn;
+    const auto k = static_cast<std::size_t>(before) % Directions;
+    const double length = vector.norm() / std::sin(Turn);
+    return length *
+           (std::sin(Turn - part) * static_cast<double>(rises[static_cast<Eigen::Index>(k)]) +
+            std::sin(part) *
+                static_cast<double>(rises[static_cast<Eigen::Index>((k + 1) % Directions)]));
+}
+
+/// The two coordinates across an axis.
+Vec2 acrossOf(const Vec3& vector, std::size_t axis) {
+    return {vector[static_cast<Eigen::Index>((axis + 1) % 3)],
+            vector[static_cast<Eigen::Index>((axis + 2) % 3)]};
+}
+
 } // namespace
+
+bool Relief::isLit(const ReliefCell& cell, const Vec4& light) const {
+    Eigen::Index along = 0;
+    axis.cwiseAbs().maxCoeff(&along);
+    // Of the sine of the angle between light and slope, over the slope's cosine.
+    const double slack = Slack / std::sqrt(std::max(1.0 - steepness * steepness, Slack * Slack));
+    const auto isHigher = [&](const Vec3& direction) {
+        const Vec2 across = acrossOf(direction, static_cast<std::size_t>(along));
+        return direction.dot(axis) - riseAlong(cell.rise, across) > slack * direction.norm();
+    };
+    if (!light.allFinite()) return false;
+    if (light.w() == 0.0) return isHigher(light.head<3>());
+    // Directions for which that holds are a convex cone: with those from the corners it has all.
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3f from =
+            cell.bounds.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner));
+        if (!isHigher(light.head<3>() - from.cast<double>())) return false;
+    }
+    return true;
+}
 
 void ReliefBuilder::reset(const Eigen::AlignedBox3d& bounds) {
     mBounds = bounds;
@@ -98,9 +160,31 @@ void ReliefBuilder::add(const Vec3& a, const Vec3& b, const Vec3& c) {
             candidate.squaredCosine = std::min(candidate.squaredCosine, squaredCosine);
             candidate.area += up / 2.0;
             candidate.isAlive = up > 0.0 && 1.0 - squaredCosine <= MostSteep * MostSteep;
+            if (candidate.isAlive) addToCell(candidate, axis, {a, b, c}, normal / up);
         }
         mAnyAlive = mAnyAlive || candidate.isAlive;
     }
+}
+
+void ReliefBuilder::addToCell(Candidate& candidate, std::size_t axis,
+                              const std::array<Vec3, 3>& corners, const Vec3& upNormal) {
+    if (candidate.cells.empty())
+        candidate.cells.assign(
+            Side * Side,
+            {Eigen::AlignedBox3f(), Rises::Constant(-std::numeric_limits<float>::infinity())});
+    const Vec2 least = acrossOf(mBounds.min(), axis);
+    const Vec2 size = acrossOf(mBounds.sizes(), axis);
+    const Vec2 middle = acrossOf((corners[0] + corners[1] + corners[2]) / 3.0, axis);
+    const auto indexOf = [&](int k) {
+        const double at = (middle[k] - least[k]) / size[k] * static_cast<double>(Side);
+        return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(Side - 1)));
+    };
+    ReliefCell& cell = candidate.cells[indexOf(1) * Side + indexOf(0)];
+    for (const Vec3& corner : corners)
+        cell.bounds.extend(corner.cast<float>());
+    const Vec2 gradient = -acrossOf(upNormal, axis);
+    cell.rise = cell.rise.max(static_cast<float>(gradient.x()) * AllDirections.cosines +
+                              static_cast<float>(gradient.y()) * AllDirections.sines);
 }
 
 std::optional<Relief> ReliefBuilder::relief() const {
@@ -111,8 +195,10 @@ std::optional<Relief> ReliefBuilder::relief() const {
         const bool isWhole = candidate.hasWalls ? mEdges == 0 : candidate.edgesWithin == 0;
         if (!candidate.isAlive || !isWhole || !(std::abs(candidate.area - box) <= SameArea * box))
             continue;
-        return Relief{(i < 3 ? 1.0 : -1.0) * Vec3::Unit(axis),
-                      std::sqrt(std::max(1.0 - candidate.squaredCosine, 0.0))};
+        Relief relief{(i < 3 ? 1.0 : -1.0) * Vec3::Unit(axis),
+                      std::sqrt(std::max(1.0 - candidate.squaredCosine, 0.0)), candidate.cells};
+        std::erase_if(relief.cells, [](const ReliefCell& cell) { return cell.bounds.isEmpty(); });
+        return relief;
     }
     return std::nullopt;
 }

@@ -7,28 +7,46 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace Lixel {
+
+/// A piece of a relief: those triangles whose middles lie in a square of a grid, seen from above.
+struct ReliefCell {
+    /// Directions across the axis, at equal angles.
+    static constexpr std::size_t Directions = 8;
+
+    /// Around the triangles.
+    Eigen::AlignedBox3f bounds;
+    /// How much the steepest triangle rises along each direction, per length across the axis.
+    Eigen::Array<float, Directions, 1> rise;
+};
 
 /** The surface of a ground: a graph over a rectangle of its body's space, as a sheet, or as a block
     with straight walls and a flat underside.
 
-    Under a light that is higher above the plane across the axis than any slope is steep it shadows
-    nothing of itself: each of its slopes faces the light, and a light ray that has left it rises
-    faster than they do. Walls and underside, where it has any, are sides of the box around it, and
-    what they face is outside of that box.
+    A ray from the surface to the light that meets it again comes from above: so what it meets is a
+    slope that faces away from the light. (Walls and underside, where there are any, are sides of
+    the box around it, and what they face is outside of that box.) Of itself it shadows no more than
+    slopes shadow that face away, and nothing where all face the light.
 */
 struct Relief {
     /// Unit vector, along one of the space's axes.
     Vec3 axis = Vec3::UnitY();
     /// Sine of the steepest slope.
     double steepness = 0.0;
+    /// All triangles are in one of them. None where nothing is known but the steepest slope.
+    std::vector<ReliefCell> cells = {};
 
     /// Whether a direction towards a light, of any length, is higher than all slopes. False of a
     /// NaN.
     bool isBelow(const Vec3& direction) const {
         return direction.dot(axis) > (steepness + Slack) * direction.norm();
     }
+    /** Whether all triangles of a cell face a light.
+        @param light in the body's space, homogeneous: a direction to it where w is 0, else w is 1
+        @return false of a NaN */
+    bool isLit(const ReliefCell& cell, const Vec4& light) const;
 
 private:
     /// Sine of the least angle between light and slope: what rounding of positions to float does to
@@ -55,6 +73,8 @@ class ReliefBuilder {
 public:
     /// Sine of 75°: a steeper ground hardly has a light above it that is higher.
     static constexpr double MostSteep = 0.9659258262890683;
+    /// Cells to a side of the grid: as few as are looked at for each map.
+    static constexpr std::size_t Side = 8;
 
     /// Starts anew. @param bounds of all triangles, exactly
     void reset(const Eigen::AlignedBox3d& bounds);
@@ -78,7 +98,11 @@ private:
         bool hasWalls = false;
         /// Of the edges within, the one way less the other.
         std::uint64_t edgesWithin = 0;
+        /// By rows, empty before the first triangle.
+        std::vector<ReliefCell> cells = {};
     };
+    void addToCell(Candidate& candidate, std::size_t axis, const std::array<Vec3, 3>& corners,
+                   const Vec3& upNormal);
     /// Bits of the box's sides that a point lies in: the lower one of each axis, then the upper
     /// one.
     unsigned sidesOf(const Vec3& point) const;

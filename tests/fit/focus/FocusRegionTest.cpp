@@ -340,12 +340,45 @@ TEST(FocusRegion, HoldsNothingOfAConvexGroundInParts) {
 TEST(FocusRegion, IsUnderALightAboveItsSlopesAlone) {
     for (const double steepness : {0.5, 0.999}) {
         Scene scene = noonOnConvexGround();
-        const Relief relief{Vec3::UnitY(), steepness};
+        const Relief relief{Vec3::UnitY(), steepness, {}};
         scene.turnedCasters.convex.front().relief = relief;
         scene.turnedReceivers.convex.front().relief = relief;
         EXPECT_EQ(regionOf(scene).reason,
                   steepness < 0.9 ? FitReason::NothingShadowed : FitReason::None);
     }
+}
+
+TEST(FocusRegion, HoldsWhatSlopesThatFaceAwayShadowOfAGround) {
+    // A low sun, two cells of a ground, and slopes in one of them.
+    Scene scene = noonOnConvexGround();
+    scene.light.wsDirection = Vec3(1.0, -0.5, 0.2);
+    const Aabb ground = scene.receivers.box(0);
+    const Aabb hill{ground.centre + Vec3(-1.0, 0.5, 0.5), Vec3(0.5, 0.5, 0.25)};
+    const auto boundsOf = [](const Aabb& box) {
+        return Eigen::AlignedBox3f((box.centre - box.halfExtents).cast<float>(),
+                                   (box.centre + box.halfExtents).cast<float>());
+    };
+    Relief relief{Vec3::UnitY(), 0.9, {}};
+    relief.cells.push_back({boundsOf(ground), decltype(ReliefCell::rise)::Constant(0.1F)});
+    relief.cells.push_back({boundsOf(hill), decltype(ReliefCell::rise)::Constant(2.0F)});
+    scene.turnedCasters.convex.front().relief = relief;
+    scene.turnedReceivers.convex.front().relief = relief;
+    const FocusRegion region = regionOf(scene);
+    ASSERT_EQ(region.reason, FitReason::None);
+    // As of a body that stands there.
+    Scene other = noonOnConvexGround();
+    other.light = scene.light;
+    other.casters.add(hill);
+    const FocusRegion expected = regionOf(other);
+    for (const Vec3& direction :
+         {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()), Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ())})
+        EXPECT_NEAR(extentAlong(scene, region, direction), extentAlong(other, expected, direction),
+                    1e-9);
+    EXPECT_NEAR(region.lsCasterNear, expected.lsCasterNear, 1e-9);
+    // Where most of it may face away, the ground is a caster as any other.
+    scene.turnedCasters.convex.front().relief->cells.front().rise.setConstant(2.0F);
+    EXPECT_GT(extentAlong(scene, regionOf(scene), Vec3::UnitX()),
+              extentAlong(scene, region, Vec3::UnitX()) + 0.5);
 }
 
 TEST(FocusRegion, IsAnotherCastersImageOnAConvexGround) {

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 
 using namespace Lixel;
@@ -50,7 +52,9 @@ struct Surface {
     }
 
     /// Whether a ray from a point of one triangle meets another that has no vertex in common.
-    bool isShadowed(std::size_t index, const Vec3& point, const Vec3& direction) const {
+    /// @param end the greatest multiple of the direction
+    bool isShadowed(std::size_t index, const Vec3& point, const Vec3& direction,
+                    double end = std::numeric_limits<double>::infinity()) const {
         const Triangle& own = triangles[index];
         for (const Triangle& triangle : triangles) {
             bool touches = false;
@@ -60,7 +64,8 @@ struct Surface {
             Mat3 columns;
             columns << -direction, triangle[1] - triangle[0], triangle[2] - triangle[0];
             const Vec3 at = columns.inverse() * (point - triangle[0]);
-            if (at.x() > 0.0 && at.y() >= 0.0 && at.z() >= 0.0 && at.y() + at.z() <= 1.0)
+            if (at.x() > 0.0 && at.x() < end && at.y() >= 0.0 && at.z() >= 0.0 &&
+                at.y() + at.z() <= 1.0)
                 return true;
         }
         return false;
@@ -243,21 +248,52 @@ TEST(Relief, IsNothingWithoutExtent) {
     EXPECT_FALSE(broken.relief());
 }
 
-/// What it is for: where it says so, no light ray meets it again.
-RC_GTEST_PROP(Relief, ShadowsNothingOfItselfUnderLightsAboveItsSlopes, (std::uint32_t seed)) {
-    std::mt19937 engine(seed);
+namespace {
+
+/// Hills without order, as a sheet or as a block.
+Surface anyHills(std::uint32_t seed, std::mt19937& engine, double most) {
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(engine);
     };
     std::array<double, 4> waves;
     for (double& wave : waves)
         wave = between(-5.0, 5.0);
-    const double size = between(0.02, 0.25);
+    const double size = between(0.02, most);
     const auto height = [&](double x, double z) {
         return size * std::sin(waves[0] * x + waves[1] * z) + size * std::cos(waves[2] * x * z) +
                0.1 * waves[3] * x;
     };
-    const Surface surface = seed % 2 == 0 ? sheetOf(height, 6) : blockOf(height, -4.0, 6);
+    return seed % 2 == 0 ? sheetOf(height, 6) : blockOf(height, -4.0, 6);
+}
+
+/// A point within a triangle, away from its border.
+Vec3 pointWithin(const Triangle& triangle, std::mt19937& engine) {
+    const double s = std::uniform_real_distribution<double>(0.1, 0.6)(engine);
+    const double t = std::uniform_real_distribution<double>(0.1, 0.9 - s)(engine);
+    return triangle[0] + s * (triangle[1] - triangle[0]) + t * (triangle[2] - triangle[0]);
+}
+
+bool meets(const Eigen::AlignedBox3f& box, const Vec3& from, const Vec3& direction) {
+    double begin = 0.0;
+    double end = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double first = (static_cast<double>(box.min()[axis]) - from[axis]) / direction[axis];
+        const double last = (static_cast<double>(box.max()[axis]) - from[axis]) / direction[axis];
+        begin = std::max(begin, std::min(first, last));
+        end = std::min(end, std::max(first, last));
+    }
+    return begin <= end + 1e-9;
+}
+
+} // namespace
+
+/// What it is for: where it says so, no light ray meets it again.
+RC_GTEST_PROP(Relief, ShadowsNothingOfItselfUnderLightsAboveItsSlopes, (std::uint32_t seed)) {
+    std::mt19937 engine(seed);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine);
+    };
+    const Surface surface = anyHills(seed, engine, 0.25);
     const auto relief = surface.relief();
     RC_PRE(relief.has_value());
     int lit = 0;
@@ -267,11 +303,76 @@ RC_GTEST_PROP(Relief, ShadowsNothingOfItselfUnderLightsAboveItsSlopes, (std::uin
         ++lit;
         for (std::size_t k = 0; k < surface.triangles.size(); ++k) {
             if (!(surface.normal(k).dot(direction) > 1e-6 * direction.norm())) continue;
-            const auto& [a, b, c] = surface.triangles[k];
-            const double s = between(0.1, 0.6);
-            const double t = between(0.1, 0.9 - s);
-            RC_ASSERT(!surface.isShadowed(k, a + s * (b - a) + t * (c - a), direction));
+            RC_ASSERT(!surface.isShadowed(k, pointWithin(surface.triangles[k], engine), direction));
         }
     }
     RC_CLASSIFY(lit > 0, "with lights");
+}
+
+/// And where it does not, cells that may face away are between the light and what is shadowed.
+RC_GTEST_PROP(Relief, ShadowsItselfWithCellsThatFaceAwayAlone, (std::uint32_t seed)) {
+    std::mt19937 engine(seed);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine);
+    };
+    const Surface surface = anyHills(seed, engine, 0.4);
+    const auto relief = surface.relief();
+    RC_PRE(relief.has_value());
+    int shadowed = 0;
+    int spared = 0;
+    for (int i = 0; i < 50; ++i) {
+        const bool isLamp = i % 2 == 0;
+        Vec4 light(between(-1, 1), between(-0.2, 1), between(-1, 1), isLamp ? 1.0 : 0.0);
+        if (isLamp) light.head<3>() *= 3.0;
+        std::vector<Eigen::AlignedBox3f> away;
+        for (const ReliefCell& cell : relief->cells)
+            if (!relief->isLit(cell, light)) away.push_back(cell.bounds);
+        if (away.size() < relief->cells.size()) ++spared;
+        for (std::size_t k = 0; k < surface.triangles.size(); ++k) {
+            const Vec3 point = pointWithin(surface.triangles[k], engine);
+            const Vec3 direction = light.head<3>() - light.w() * point;
+            if (!(surface.normal(k).dot(direction) > 1e-6 * direction.norm())) continue;
+            const double end = isLamp ? 1.0 : std::numeric_limits<double>::infinity();
+            if (!surface.isShadowed(k, point, direction, end)) continue;
+            ++shadowed;
+            RC_ASSERT(std::ranges::any_of(
+                away, [&](const auto& box) { return meets(box, point, direction); }));
+        }
+    }
+    RC_CLASSIFY(shadowed > 0, "with shadows");
+    RC_CLASSIFY(spared > 0, "with lit cells");
+}
+
+TEST(Relief, HasSlopesThatFaceAwayWhereTheyAre) {
+    // One hill in a corner of a plain.
+    const auto relief =
+        sheetOf(
+            [](double x, double z) {
+                return 0.3 * std::exp(-20.0 * ((x + 0.6) * (x + 0.6) + (z + 0.6) * (z + 0.6)));
+            },
+            40)
+            .relief();
+    ASSERT_TRUE(relief);
+    const auto facingAway = [&](const Vec4& light) {
+        Eigen::AlignedBox3f bounds;
+        std::size_t count = 0;
+        for (const ReliefCell& cell : relief->cells)
+            if (!relief->isLit(cell, light)) {
+                bounds.extend(cell.bounds);
+                ++count;
+            }
+        EXPECT_LE(count, 9U);
+        return bounds;
+    };
+    EXPECT_EQ(relief->cells.size(), 64U);
+    // From the east: what faces west.
+    const Eigen::AlignedBox3f west = facingAway(Vec4(1.0, 0.2, 0.0, 0.0));
+    EXPECT_FALSE(west.isEmpty());
+    EXPECT_LT(west.max().x(), -0.4);
+    const Eigen::AlignedBox3f east = facingAway(Vec4(-3.0, 0.5, -0.6, 1.0));
+    EXPECT_FALSE(east.isEmpty());
+    EXPECT_GT(east.min().x(), -0.8);
+    EXPECT_TRUE(facingAway(Vec4(0.1, 1.0, 0.2, 0.0)).isEmpty());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(relief->isLit(relief->cells.front(), Vec4(0.0, nan, 0.0, 0.0)));
 }
