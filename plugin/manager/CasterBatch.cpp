@@ -67,9 +67,9 @@ void CasterBatch::fill(Ogre::AutoParamDataSource& source, const Ogre::MaterialPt
 }
 
 void CasterBatch::reserveInstances() {
-    if (mInstances && mInstances->getNumVertices() >= mCasters.size()) return;
-    const std::size_t size = std::max(
-        {FewestInstances, mCasters.size(), mInstances ? 2 * mInstances->getNumVertices() : 0});
+    const std::size_t reserved = mInstances ? mInstances->getNumVertices() : 0;
+    if (reserved >= mCasters.size()) return;
+    const std::size_t size = std::max({FewestInstances, mCasters.size(), 2 * reserved});
     mInstances = Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
         InstanceSize, size, Ogre::HBU_CPU_TO_GPU);
     mInstances->setIsInstanceData(true);

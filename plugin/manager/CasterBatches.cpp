@@ -32,7 +32,7 @@ bool CasterBatches::begin(Ogre::SceneManager& manager, const Ogre::Camera& camer
     mBegun.clear();
     Ogre::Viewport& viewport = *camera.getViewport();
     const Ogre::RenderSystem& system = *Ogre::Root::getSingleton().getRenderSystem();
-    if (camera.getPolygonMode() != Ogre::PM_SOLID || camera.isWindowSet() ||
+    if (camera.getPolygonMode() != Ogre::PM_SOLID || hasWindow(camera) ||
         !drawsQueuesAsUsual(manager, viewport) || hasGlobalInstances(system) ||
         // Integers cannot be blended: there the order of drawing decides.
         Ogre::PixelUtil::isInteger(viewport.getTarget()->suggestPixelFormat()) ||
@@ -51,9 +51,8 @@ bool CasterBatches::takes(const Ogre::Entity& entity) {
 }
 
 bool CasterBatches::take(Ogre::SubEntity& part, Ogre::uint8 group, Ogre::ushort priority) {
-    if (part.getIndexDataStartIndex() != part.getIndexDataEndIndex() || part.getUseIdentityView() ||
-        part.getUseIdentityProjection())
-        return false;
+    const auto [start, end] = indexRangeOf(part);
+    if (start != end || part.getUseIdentityView() || part.getUseIdentityProjection()) return false;
     const std::optional<Ogre::CullingMode> culling = cullingOf(part);
     if (!culling) return false;
     const CasterBatchKey key{part.getSubMesh(), *culling, group, priority};

@@ -110,8 +110,7 @@ void LixelSceneManager::_findVisibleObjects(Ogre::Camera* camera,
                                             Ogre::VisibleObjectsBoundsInfo* visibleBounds,
                                             bool onlyShadowCasters) {
     mVisible->find(*mStore, *camera);
-    const bool drawsAsOgre = mActiveQueuedRenderableVisitor == &mDefaultQueuedRenderableVisitor;
-    CasterBatches* const batches = mUsesBatches && !mProves && onlyShadowCasters && drawsAsOgre &&
+    CasterBatches* const batches = mUsesBatches && !mProves && onlyShadowCasters &&
                                            mBatches->begin(*this, *camera, *getRenderQueue())
                                        ? mBatches.get()
                                        : nullptr;
@@ -180,8 +179,7 @@ void LixelSceneManager::drawPart(Ogre::Camera& camera, Ogre::Viewport& viewport,
 }
 
 bool LixelSceneManager::drawsQueuesAsOgre(Ogre::Viewport& viewport) {
-    return mActiveQueuedRenderableVisitor == &mDefaultQueuedRenderableVisitor &&
-           drawsQueuesAsUsual(*this, viewport) &&
+    return drawsQueuesAsUsual(*this, viewport) &&
            getRenderQueue()->getRenderableListener() == nullptr;
 }
 

@@ -87,11 +87,12 @@ std::optional<Fingerprint> CasterFingerprint::read(const Ogre::MovableObject& ob
         // A part's own render queue group may be one that is not drawn.
         value.add(part->isRenderQueueGroupSet() ? std::uint64_t{part->getRenderQueueGroup()} + 1
                                                 : std::uint64_t{0});
-        value.add(part->getIndexDataStartIndex());
-        value.add(part->getIndexDataEndIndex());
+        const auto [start, end] = indexRangeOf(*part);
+        value.add(std::uint64_t{start});
+        value.add(std::uint64_t{end});
         // When OGRE draws a part of some indices, it leaves these with all that share the mesh.
-        value.add(part->getSubMesh()->indexData->indexStart);
-        value.add(part->getSubMesh()->indexData->indexCount);
+        value.add(std::uint64_t{part->getSubMesh()->indexData->indexStart});
+        value.add(std::uint64_t{part->getSubMesh()->indexData->indexCount});
         value.add(*drawn);
     }
     return value;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/OgreVersions.h"
+
 #include <OgrePass.h>
 
 #include <string>
@@ -16,8 +18,7 @@ inline bool cutsHoles(const Ogre::Pass& pass) {
 
 /// Whether shadow casters drawn for this pass are whole bodies in OGRE's caster material.
 inline bool drawsWhole(const Ogre::Pass& pass) {
-    return !cutsHoles(pass) && pass.getShadowCasterVertexProgramName().empty() &&
-           pass.getShadowCasterFragmentProgramName().empty();
+    return !cutsHoles(pass) && !hasOwnCasterPrograms(pass);
 }
 
 /// Whether a GPU program is one of Lixel's materials, by its name: it does nothing to vertices

@@ -3,13 +3,16 @@
 // OgreRenderQueueSortingGrouping.h of 14 needs it and does not include it.
 #include <OgreIteratorWrapper.h>
 
+#include <OgreCamera.h>
 #include <OgreGpuProgramManager.h>
 #include <OgreGpuProgramParams.h>
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreHighLevelGpuProgram.h>
 #include <OgreHighLevelGpuProgramManager.h>
 #include <OgreLight.h>
+#include <OgreMaterialManager.h>
 #include <OgreMeshManager.h>
+#include <OgrePass.h>
 #include <OgreRenderQueueSortingGrouping.h>
 #include <OgreRenderSystem.h>
 #include <OgreRenderTexture.h>
@@ -17,10 +20,12 @@
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 #include <OgreStringInterface.h>
+#include <OgreSubEntity.h>
 #include <OgreTexture.h>
 #include <OgreViewport.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <typeinfo>
@@ -343,10 +348,22 @@ inline CasterPrograms casterProgramsOf(Ogre::SceneManager& manager) {
 #endif
 }
 
+/// A scene manager's visitors of render queues: the one in use, which applications may replace, and
+/// OGRE's own; they are private since 14.
+template <auto InUse, auto Own>
+struct QueueVisitorAccess {
+    friend bool hasOwnQueueVisitor(const Ogre::SceneManager& manager) {
+        return manager.*InUse == &(manager.*Own);
+    }
+};
+bool hasOwnQueueVisitor(const Ogre::SceneManager& manager);
+template struct QueueVisitorAccess<&Ogre::SceneManager::mActiveQueuedRenderableVisitor,
+                                   &Ogre::SceneManager::mDefaultQueuedRenderableVisitor>;
+
 /// Whether render queues are drawn in their usual way: by groups, with state changes and shadows.
-inline bool drawsQueuesAsUsual([[maybe_unused]] const Ogre::SceneManager& manager,
+inline bool drawsQueuesAsUsual(const Ogre::SceneManager& manager,
                                [[maybe_unused]] Ogre::Viewport& viewport) {
-    if (manager.isLateMaterialResolving()) return false;
+    if (manager.isLateMaterialResolving() || !hasOwnQueueVisitor(manager)) return false;
 #if OGRE_VERSION_MAJOR >= 13
     return true;
 #else
@@ -355,15 +372,53 @@ inline bool drawsQueuesAsUsual([[maybe_unused]] const Ogre::SceneManager& manage
 #endif
 }
 
-/// Whether the render system draws everything several times, as instances of its own.
+/// Whether the render system draws every shadow caster several times, as instances of its own.
+/// Since 14.4 there are such instances for each material scheme, and one scheme for shadow maps.
 inline bool hasGlobalInstances(const Ogre::RenderSystem& system) {
-#if OGRE_VERSION_MAJOR >= 14
+#if OGRE_MIN_VERSION(14, 4, 0)
+    return system.getSchemeInstancingData(Ogre::MSN_SHADOWCASTER).vertexDecl != nullptr;
+#elif OGRE_VERSION_MAJOR >= 14
     return system.getGlobalInstanceCount() != 1;
 #else
     return system.getGlobalNumberOfInstances() != 1 ||
            system.getGlobalInstanceVertexBuffer() != nullptr;
 #endif
 }
+
+/// Whether a pass has programs of its own for its shadow casters, which there are until 12. (A
+/// technique's shadow caster material is another matter.)
+inline bool hasOwnCasterPrograms([[maybe_unused]] const Ogre::Pass& pass) {
+#if OGRE_VERSION_MAJOR >= 13
+    return false;
+#else
+    return !pass.getShadowCasterVertexProgramName().empty() ||
+           !pass.getShadowCasterFragmentProgramName().empty();
+#endif
+}
+
+// Deprecated since 14.3 and 14.4, and still there.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
+/// Whether a camera's view is cut to a window of its viewport.
+inline bool hasWindow(const Ogre::Camera& camera) {
+    return camera.isWindowSet();
+}
+
+/// Of its mesh's indices those that a part of an entity draws; all where they are equal.
+struct IndexRange {
+    std::size_t start;
+    std::size_t end;
+};
+inline IndexRange indexRangeOf(const Ogre::SubEntity& part) {
+    return {part.getIndexDataStartIndex(), part.getIndexDataEndIndex()};
+}
+inline void setIndexRange(Ogre::SubEntity& part, Ogre::uint32 start, Ogre::uint32 end) {
+    part.setIndexDataStartIndex(start);
+    part.setIndexDataEndIndex(end);
+}
+
+#pragma GCC diagnostic pop
 
 /// Whether a scene manager has listeners of levels of detail, which are private since 14.
 template <auto LodListeners>

@@ -32,13 +32,13 @@ Rows fromOrigin(const Rows& rows, const ShadowMap& map, const Eigen::Vector3d& w
 
 MapCapture::MapCapture(Stage& stage) : mStage(stage), mClock(stage), mWork(mClock) {
     setDrawing(false);
-    mStage.sceneManager().addListener(this);
+    addSceneManagerListener(mStage.sceneManager(), *this);
     addShadowMapObserver(*this);
 }
 
 MapCapture::~MapCapture() {
     removeShadowMapObserver(*this);
-    mStage.sceneManager().removeListener(this);
+    removeSceneManagerListener(mStage.sceneManager(), *this);
     setDrawing(true);
     if (mMapSize > 0) setMaps(mMapSize, 1); // else nothing was captured, and nothing changed
 }

@@ -5,6 +5,7 @@
 #include "common/ShadowWork.h"
 #include "common/Stage.h"
 
+#include <Lixel/scene/OgreVersions.h>
 #include <Lixel/setup/ShadowMapObserver.h>
 
 #include <OgreSceneManager.h>
@@ -31,7 +32,7 @@ struct CapturedFrame {
     nothing, or maps alone or all of it where that is asked for. Afterwards every light has one map
     again, of the size that was captured last. The light keeps the setup that was captured last.
 */
-class MapCapture : private ShadowMapObserver, private Ogre::SceneManager::Listener {
+class MapCapture : private ShadowMapObserver, private SceneManagerListener {
 public:
     enum class Draws { Nothing, Maps, Everything };
     explicit MapCapture(Stage& stage);

@@ -103,13 +103,20 @@ void PrintTo(const Apart& apart, std::ostream* out) {
     *out << apart.name;
 }
 
-// Deprecated, and there.
+/// Since 13, a material is what has a program for casters alone.
+void setOwnProgram(BatchScene& scene) {
+#if OGRE_VERSION_MAJOR >= 13
+    const Ogre::MaterialPtr caster =
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster", "Lixel");
+    passOf(scene).getParent()->setShadowCasterMaterial(
+        caster->clone(scene.manager().getName() + "/Caster"));
+#else
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-void setOwnProgram(BatchScene& scene) {
     passOf(scene).setShadowCasterVertexProgram("Lixel/CasterVP");
-}
 #pragma GCC diagnostic pop
+#endif
+}
 
 const std::vector<Apart>& apartKinds() {
     static const std::vector<Apart> all{
@@ -133,11 +140,7 @@ const std::vector<Apart>& apartKinds() {
                                                                         90);
          }},
         {"OtherGroup", [](BatchScene& s) { oneCube(s).setRenderQueueGroup(Ogre::RENDER_QUEUE_6); }},
-        {"SomeIndices",
-         [](BatchScene& s) {
-             oneCube(s).getSubEntity(0)->setIndexDataStartIndex(6);
-             oneCube(s).getSubEntity(0)->setIndexDataEndIndex(12);
-         }},
+        {"SomeIndices", [](BatchScene& s) { setIndexRange(*oneCube(s).getSubEntity(0), 6, 12); }},
         {"Listener",
          [](BatchScene& s) {
              static Ogre::MovableObject::Listener listener;

@@ -483,8 +483,7 @@ const std::vector<LayerDeed>& stillChanges() {
         {"PartIsHidden", [](MovingScene& s) { stillCaster(s).getSubEntity(0)->setVisible(false); }},
         {"FewerIndices",
          [](MovingScene& s) {
-             stillCaster(s).getSubEntity(0)->setIndexDataStartIndex(6);
-             stillCaster(s).getSubEntity(0)->setIndexDataEndIndex(12);
+             setIndexRange(*stillCaster(s).getSubEntity(0), 6, 12);
              // OGRE has all that share the mesh drawn so, from when it drew this one first.
              s.draw();
          }},
