@@ -1,6 +1,7 @@
 #include "setup/ShadowPass.h"
 
 #include "scene/OgreVersions.h"
+#include "scene/PerScene.h"
 #include "setup/MapProof.h"
 
 #include <OgreCamera.h>
@@ -102,16 +103,28 @@ public:
         mTargets.clear();
         mContents.clear();
         mMilliseconds.clear();
-        for (const auto& [target, cameras] : mArmed)
-            for (const auto& [camera, armed] : cameras)
-                camera->removeListener(this);
-        mArmed.clear();
+        abandon([](const Ogre::Camera&) { return true; });
+    }
+
+    /// Sets those cameras back that wait for a pass, which an exception has ended or kept from
+    /// beginning.
+    template <typename IsAbandoned>
+    void abandon(const IsAbandoned& isAbandoned) {
+        for (auto& [target, cameras] : mArmed)
+            std::erase_if(cameras, [&](const auto& entry) {
+                const auto& [camera, armed] = entry;
+                if (!isAbandoned(*camera)) return false;
+                setDepthClamp(false);
+                disarm(*camera, armed);
+                return true;
+            });
+        eraseEmpty();
     }
 
     void cameraDestroyed(Ogre::Camera* camera) override {
         for (auto& [target, cameras] : mArmed)
             cameras.erase(camera);
-        std::erase_if(mArmed, [](const auto& entry) { return entry.second.empty(); });
+        eraseEmpty();
     }
 
     void preRenderTargetUpdate(const Ogre::RenderTargetEvent& event) override {
@@ -142,9 +155,7 @@ public:
         if (armed == mArmed.end()) return;
         setDepthClamp(false);
         for (const auto& [camera, state] : armed->second) {
-            camera->removeListener(this);
-            camera->setCullingFrustum(state.before);
-            camera->getViewport()->setAutoUpdated(true);
+            disarm(*camera, state);
             if (state.content)
                 mMilliseconds[event.source->getName()] =
                     std::chrono::duration<double, std::milli>(Clock::now() - mBegin).count();
@@ -170,6 +181,17 @@ private:
         Ogre::TexturePtr proof;            ///< to be compared with what it held before
         std::vector<std::uint8_t> kept;
     };
+
+    void disarm(Ogre::Camera& camera, const Armed& armed) {
+        camera.removeListener(this);
+        camera.setCullingFrustum(armed.before);
+        camera.getViewport()->setAutoUpdated(true);
+    }
+
+    void eraseEmpty() {
+        std::erase_if(mArmed, [](const auto& entry) { return entry.second.empty(); });
+    }
+
     /// Cameras that will draw into a target. Several may share one since OGRE 14, which also gives
     /// each a culling frustum of its own and expects it to stay.
     std::map<const Ogre::RenderTarget*, std::map<Ogre::Camera*, Armed>> mArmed;
@@ -188,6 +210,30 @@ ShadowPassListener& listener() {
     return instance;
 }
 
+/// Sets back, before a viewer's frame, what the last one left behind where an exception ended it:
+/// since 13.6 OGRE needs each shadow camera's own culling frustum before it asks any setup.
+class FrameBegin : public SceneManagerListener {
+public:
+    void preUpdateSceneGraph(Ogre::SceneManager* source, Ogre::Camera*) override {
+        // Between the setups and their passes, shadow cameras draw.
+        if (source->_getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE) return;
+        listener().abandon(
+            [&](const Ogre::Camera& camera) { return camera.getSceneManager() == source; });
+    }
+};
+
+PerScene<FrameBegin>& frameBegins() {
+    static PerScene<FrameBegin> all;
+    return all;
+}
+
+/// As ShadowPassListener::arm.
+void arm(Ogre::Camera& camera, Ogre::Frustum* volume, const std::optional<MapContent>& content,
+         StillLayer* layer = nullptr) {
+    frameBegins().of(*camera.getSceneManager());
+    listener().arm(camera, volume, content, layer);
+}
+
 } // namespace
 
 bool canClampDepth() {
@@ -197,17 +243,18 @@ bool canClampDepth() {
 }
 
 void forgetShadowPasses() {
+    frameBegins().clear();
     listener().forget();
 }
 
 void armShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
                    const std::optional<MapContent>& content, StillLayer* layer) {
-    listener().arm(shadowCamera, &cullingFrustum, content, layer);
+    arm(shadowCamera, &cullingFrustum, content, layer);
 }
 
 void proveShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum,
                      const std::optional<MapContent>& content, const ShadowTarget& target) {
-    listener().arm(shadowCamera, &cullingFrustum, content);
+    arm(shadowCamera, &cullingFrustum, content);
     listener().prove(shadowCamera, target.texture);
 }
 
@@ -245,12 +292,12 @@ void skipShadowPass(Ogre::Camera& shadowCamera, const ShadowTarget& target, bool
         listener().note(target.target, empty);
     }
     shadowCamera.getViewport()->setAutoUpdated(false);
-    listener().arm(shadowCamera, nullptr, std::nullopt);
+    arm(shadowCamera, nullptr, std::nullopt);
 }
 
 void keepShadowPass(Ogre::Camera& shadowCamera, Ogre::Frustum& cullingFrustum) {
     shadowCamera.getViewport()->setAutoUpdated(false);
-    listener().arm(shadowCamera, &cullingFrustum, std::nullopt);
+    arm(shadowCamera, &cullingFrustum, std::nullopt);
 }
 
 const MapContent* contentOf(const ShadowTarget& target) {

@@ -22,7 +22,8 @@ class StillLayer;
 
     Shadow textures and their cameras are shared with whatever setup comes next, OGRE's own
     included, so nothing may stay behind: the culling frustum, depth clamping and the viewport's
-    auto-update are all set back when the texture has been drawn.
+    auto-update are all set back when the texture has been drawn; or, where an exception has ended
+    the frame, before the next one.
 */
 
 /// Casters nearer than the near plane are clamped onto it instead of clipped, where the render

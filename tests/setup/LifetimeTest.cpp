@@ -3,6 +3,8 @@
 #include "SpoiltLight.h"
 #include "TestStage.h"
 
+#include <Lixel/setup/MapPlan.h>
+
 #include <OgreException.h>
 
 namespace Lixel::Tests {
@@ -144,6 +146,45 @@ TEST(Lifetime, AnExceptionInAMapLeavesNothingBehind) {
         EXPECT_TRUE(texture->getBuffer()->getRenderTarget()->getViewport(0)->isAutoUpdated());
     }
     EXPECT_LT(scene.visibilityAt(Ogre::Vector3(-2, 0, 0)), 128);
+}
+
+/// OGRE's own, which notes what a shadow camera culls with before it is set up.
+class NotingSetup : public Ogre::DefaultShadowCameraSetup {
+public:
+    void getShadowCamera(const Ogre::SceneManager* manager, const Ogre::Camera* viewer,
+                         const Ogre::Viewport* viewport, const Ogre::Light* light,
+                         Ogre::Camera* camera, std::size_t iteration) const override {
+        culling = camera->getCullingFrustum();
+        DefaultShadowCameraSetup::getShadowCamera(manager, viewer, viewport, light, camera,
+                                                  iteration);
+    }
+    mutable const Ogre::Frustum* culling = nullptr;
+};
+
+/// The textures stay, and so do their cameras.
+TEST(Lifetime, AnExceptionInAMapIsOverInTheNextFrame) {
+    BoxOnGround scene;
+    Ogre::SceneManager& manager = scene.stage.sceneManager();
+    scene.stage.drawFrame();
+    const Ogre::Viewport& viewport =
+        *manager.getShadowTexture(0)->getBuffer()->getRenderTarget()->getViewport(0);
+    const Ogre::Frustum* const own = viewport.getCamera()->getCullingFrustum();
+    const Ogre::MaterialPtr caster =
+        Ogre::MaterialManager::getSingleton().getByName("Lixel/Caster");
+    const auto lixels = scene.stage.light().getCustomShadowCameraSetup();
+    const auto noting = std::make_shared<NotingSetup>();
+    for (const Ogre::ShadowCameraSetupPtr& next : {lixels, Ogre::ShadowCameraSetupPtr(noting)}) {
+        manager.setShadowTextureCasterMaterial({}); // OGRE's own has no programs
+        redrawShadowMaps();
+        EXPECT_THROW(scene.stage.drawFrame(), Ogre::Exception);
+        EXPECT_NE(viewport.getCamera()->getCullingFrustum(), own);
+        manager.setShadowTextureCasterMaterial(caster);
+        scene.stage.setShadowSetup(next);
+        scene.stage.drawFrame();
+        EXPECT_EQ(viewport.getCamera()->getCullingFrustum(), own);
+        EXPECT_TRUE(viewport.isAutoUpdated());
+    }
+    EXPECT_EQ(noting->culling, own);
 }
 
 } // namespace
