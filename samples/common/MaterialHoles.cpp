@@ -63,9 +63,15 @@ std::vector<std::uint8_t> readAlpha(Ogre::Texture& texture) {
     std::vector<Ogre::uchar> texels(Ogre::PixelUtil::getMemorySize(width, height, 1, format));
     const Ogre::PixelBox box(width, height, 1, format, texels.data());
     texture.getBuffer()->blitToMemory(box);
-    std::vector<std::uint8_t> alpha(std::size_t{width} * height);
+    // Since 13.3 OGRE packs red where it should pack alpha into PF_A8, and cannot unpack PF_A8.
+    if (format == Ogre::PF_A8) return texels;
+    const std::size_t count = std::size_t{width} * height;
+    std::vector<Ogre::uchar> colours(4 * count);
     Ogre::PixelUtil::bulkPixelConversion(
-        box, Ogre::PixelBox(width, height, 1, Ogre::PF_A8, alpha.data()));
+        box, Ogre::PixelBox(width, height, 1, Ogre::PF_BYTE_RGBA, colours.data()));
+    std::vector<std::uint8_t> alpha(count);
+    for (std::size_t i = 0; i < count; ++i)
+        alpha[i] = colours[4 * i + 3];
     return alpha;
 }
 
