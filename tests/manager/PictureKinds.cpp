@@ -114,6 +114,9 @@ void hideTexture(PictureScene& scene) {
 void addSecondView(PictureScene& scene) {
     Ogre::Camera* other = scene.manager().createCamera("other");
     other->setNearClipDistance(0.1f);
+    // With OGRE's far plane depths are so coarse that surfaces tie, and OGRE draws in the order of
+    // addresses.
+    other->setFarClipDistance(200);
     other->setProjectionType(Ogre::PT_ORTHOGRAPHIC);
     other->setOrthoWindow(20, 15);
     Ogre::SceneNode* node = scene.place().createChildSceneNode(Vector3(3, 12, 12));

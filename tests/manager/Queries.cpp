@@ -5,6 +5,7 @@
 #include <OgreLight.h>
 #include <OgrePlaneBoundedVolume.h>
 #include <OgreSceneQuery.h>
+#include <OgreStaticGeometry.h>
 
 #include <fmt/format.h>
 
@@ -105,6 +106,10 @@ std::vector<std::string> answers(World& world, Random random) {
     // A scene manager may know better.
     for (const ObjectEntry& entry : world.objects)
         if (entry.object->isAttached()) entry.object->getWorldBoundingSphere(true);
+    // Since 13 queries find them, too.
+    for (const Ogre::StaticGeometry* geometry : world.statics)
+        for (const auto& [place, region] : geometry->getRegions())
+            region->getWorldBoundingSphere(true);
     Asker asker(world, random);
     for (int i = 0; i < 2; ++i) {
         asker.askBox();

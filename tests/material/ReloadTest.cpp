@@ -54,7 +54,8 @@ std::string levelOf(const std::string& value) {
     return "uniform float scale;\nfloat level()\n{\n    return " + value + " * scale;\n}\n";
 }
 
-/// A ground whose colour is in files, with programs of a language: half of white to begin with.
+/// A ground whose colour is in files, with programs of the first language that OGRE knows: half of
+/// white to begin with.
 class Reload : public testing::TestWithParam<const char*> {
 protected:
     Reload() : scene(IntegratedTechnique, "") {
@@ -89,7 +90,7 @@ protected:
     EditedFolder folder;
 };
 
-INSTANTIATE_TEST_SUITE_P(Languages, Reload, testing::Values("glsl", "lixel_glsl"));
+INSTANTIATE_TEST_SUITE_P(Languages, Reload, testing::Values("glsl", "lixel_glsl glsl"));
 
 TEST_P(Reload, ShowsWhatAShaderIncludes) {
     folder.write("edited.glsl", levelOf("0.25"));
