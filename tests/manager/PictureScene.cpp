@@ -4,6 +4,7 @@
 #include <OgreFrameListener.h>
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreMaterialManager.h>
+#include <OgreMesh.h>
 #include <OgreMovableObject.h>
 #include <OgrePass.h>
 #include <OgreRoot.h>
@@ -128,7 +129,12 @@ void PictureScene::castShadows(Ogre::ShadowTechnique technique, const std::strin
     mManager.setShadowTechnique(technique);
     mManager.setShadowFarDistance(60);
     mManager.setShadowColour(Ogre::ColourValue(0.5f, 0.5f, 0.5f));
-    if ((technique & Ogre::SHADOWDETAILTYPE_TEXTURE) == 0) return;
+    if ((technique & Ogre::SHADOWDETAILTYPE_STENCIL) != 0) {
+        // Since 13.4 that is for the application to say.
+        for (const auto& [entity, colour] : mThings)
+            entity->getMesh()->setAutoBuildEdgeLists(true);
+        return;
+    }
     mManager.setShadowTextureCasterMaterial(materials.getByName("Lixel/Caster", MaterialGroup));
     if (!receiver.empty())
         mManager.setShadowTextureReceiverMaterial(materials.getByName(receiver, MaterialGroup));
