@@ -16,22 +16,22 @@ in vec4 vertex;
 in vec4 blendIndices;
 in vec4 blendWeights;
 uniform mat3x4 bones[2];
-uniform mat4 clipFromWorld;
+uniform mat4 clipFromPlaced;
 void main()
 {
     vec3 placed = blendWeights[0] * (vertex * bones[int(blendIndices[0])]) +
                   blendWeights[1] * (vertex * bones[int(blendIndices[1])]);
-    gl_Position = clipFromWorld * vec4(placed, 1.0);
+    gl_Position = clipFromPlaced * vec4(placed, 1.0);
 })";
 
 /// Instances whose matrices are in sets of texture coordinates, from the second on.
 inline const std::string InstanceProgram = R"(#version 330 core
 in vec4 vertex;
 in mat3x4 uv1;
-uniform mat4 clipFromWorld;
+uniform mat4 clipFromPlaced;
 void main()
 {
-    gl_Position = clipFromWorld * vec4(vertex * uv1, 1.0);
+    gl_Position = clipFromPlaced * vec4(vertex * uv1, 1.0);
 })";
 
 /// Instances whose matrices are an array of uniforms.
@@ -39,10 +39,10 @@ inline const std::string InstanceArrayProgram = R"(#version 330 core
 in vec4 vertex;
 in vec4 blendIndices;
 uniform mat3x4 bones[4];
-uniform mat4 clipFromWorld;
+uniform mat4 clipFromPlaced;
 void main()
 {
-    gl_Position = clipFromWorld * vec4(vertex * bones[int(blendIndices[0])], 1.0);
+    gl_Position = clipFromPlaced * vec4(vertex * bones[int(blendIndices[0])], 1.0);
 })";
 
 inline const std::string WhiteProgram = R"(#version 330 core
@@ -62,8 +62,10 @@ Ogre::GpuProgramPtr addVertexProgram(const std::string& name, const std::string&
     prepare(*program);
     program->load();
     Ogre::GpuProgramParameters& parameters = *program->getDefaultParameters();
-    parameters.setNamedAutoConstant("clipFromWorld",
-                                    Ogre::GpuProgramParameters::ACT_VIEWPROJ_MATRIX);
+    const bool placesInObject = program->isSkeletalAnimationIncluded() && bonesAreInObject();
+    parameters.setNamedAutoConstant(
+        "clipFromPlaced", placesInObject ? Ogre::GpuProgramParameters::ACT_WORLDVIEWPROJ_MATRIX
+                                         : Ogre::GpuProgramParameters::ACT_VIEWPROJ_MATRIX);
     if (parameters._findNamedConstantDefinition("bones") != nullptr)
         parameters.setNamedAutoConstant("bones",
                                         Ogre::GpuProgramParameters::ACT_WORLD_MATRIX_ARRAY_3x4);
