@@ -44,23 +44,15 @@ std::uint64_t edgeNumber(const PointHash& from, const PointHash& to) {
 }
 
 constexpr std::size_t Directions = ReliefCell::Directions;
-constexpr double Turn = 2.0 * std::numbers::pi / static_cast<double>(Directions);
+static_assert(Directions == 8);
+constexpr double Turn = std::numbers::pi / 4.0;
 
 using Rises = Eigen::Array<float, Directions, 1>;
 
-struct DirectionTable {
-    Rises cosines;
-    Rises sines;
-
-    DirectionTable() {
-        for (std::size_t k = 0; k < Directions; ++k) {
-            const double angle = Turn * static_cast<double>(k);
-            cosines[static_cast<Eigen::Index>(k)] = static_cast<float>(std::cos(angle));
-            sines[static_cast<Eigen::Index>(k)] = static_cast<float>(std::sin(angle));
-        }
-    }
-};
-const DirectionTable AllDirections;
+/// Of the angles of all directions.
+constexpr auto Half = static_cast<float>(std::numbers::sqrt2 / 2.0);
+constexpr std::array<float, Directions> Cosines{1.0F, Half, 0.0F, -Half, -1.0F, -Half, 0.0F, Half};
+constexpr std::array<float, Directions> Sines{0.0F, Half, 1.0F, Half, 0.0F, -Half, -1.0F, -Half};
 
 /// What slopes may rise along a vector across the axis, at most. What the steepest of some slopes
 /// rises is no more along a sum of vectors than the sum of what it rises along each.
@@ -183,8 +175,9 @@ void ReliefBuilder::addToCell(Candidate& candidate, std::size_t axis,
     for (const Vec3& corner : corners)
         cell.bounds.extend(corner.cast<float>());
     const Vec2 gradient = -acrossOf(upNormal, axis);
-    cell.rise = cell.rise.max(static_cast<float>(gradient.x()) * AllDirections.cosines +
-                              static_cast<float>(gradient.y()) * AllDirections.sines);
+    cell.rise =
+        cell.rise.max(static_cast<float>(gradient.x()) * Eigen::Map<const Rises>(Cosines.data()) +
+                      static_cast<float>(gradient.y()) * Eigen::Map<const Rises>(Sines.data()));
 }
 
 std::optional<Relief> ReliefBuilder::relief() const {
