@@ -36,6 +36,8 @@ struct SceneNodes;
       sphere of the last frame that showed the object, if one did.
     - Objects are queued in the order in which their nodes first had something attached, not in the
       order of the graph. It makes a difference only between surfaces of one material at one depth.
+    - A node that a listener moves while the scene graph is updated is updated the next time. With
+      OGRE's own scene managers it may stay where it was for good.
     - Casters by Lixel's programs store the nearest depth of each texel, whatever the order in which
       they are drawn. OGRE's depth test compares other numbers than are stored, and decides by the
       order where two casters are equally near.
