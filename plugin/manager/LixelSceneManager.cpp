@@ -15,6 +15,7 @@
 #include <OgreViewport.h>
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -35,6 +36,22 @@ public:
 private:
     Ogre::Viewport& mViewport;
     unsigned mBuffers;
+};
+
+/// Has OGRE's current scene manager be the one that it was, where an exception ends a frame. OGRE
+/// leaves it, and objects of other scenes ask it even when it is destroyed.
+class CurrentManagerKept {
+public:
+    CurrentManagerKept() = default;
+    ~CurrentManagerKept() {
+        if (std::uncaught_exceptions() > mExceptions) resetCurrentSceneManager(mBefore);
+    }
+    CurrentManagerKept(const CurrentManagerKept&) = delete;
+    CurrentManagerKept& operator=(const CurrentManagerKept&) = delete;
+
+private:
+    int mExceptions = std::uncaught_exceptions();
+    Ogre::SceneManager* mBefore = Ogre::Root::getSingleton()._getCurrentSceneManager();
 };
 
 /// Whether a viewport begins with nothing in all of its target.
@@ -124,6 +141,7 @@ void LixelSceneManager::_findVisibleObjects(Ogre::Camera* camera,
 
 void LixelSceneManager::_renderScene(Ogre::Camera* camera, Ogre::Viewport* viewport,
                                      bool includeOverlays) {
+    const CurrentManagerKept kept;
     if (_getCurrentRenderStage() != IRS_RENDER_TO_TEXTURE) {
         SceneManager::_renderScene(camera, viewport, includeOverlays);
         return;

@@ -348,6 +348,20 @@ inline CasterPrograms casterProgramsOf(Ogre::SceneManager& manager) {
 #endif
 }
 
+/// Has OGRE's current scene manager, which objects ask while they are drawn, be one that it was
+/// before; until 12 there is a stack of them.
+inline void resetCurrentSceneManager(Ogre::SceneManager* before) {
+    Ogre::Root& root = Ogre::Root::getSingleton();
+#if OGRE_VERSION_MAJOR >= 13
+    root._setCurrentSceneManager(before);
+#else
+    while (Ogre::SceneManager* const current = root._getCurrentSceneManager()) {
+        if (current == before) break;
+        root._popCurrentSceneManager(current);
+    }
+#endif
+}
+
 /// A scene manager's visitors of render queues: the one in use, which applications may replace, and
 /// OGRE's own; they are private since 14.
 template <auto InUse, auto Own>

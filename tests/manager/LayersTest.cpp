@@ -375,6 +375,8 @@ TEST_F(LayersTest, LeaveNothingBehindWhereSomethingThrows) {
         for (int frame = 0; frame < 3; ++frame) {
             EXPECT_THROW(scene.drawMoved(), Ogre::Exception);
             EXPECT_TRUE(viewport.getClearEveryFrame());
+            // Objects of other scenes would ask this one, even when it is destroyed.
+            EXPECT_EQ(Ogre::Root::getSingleton()._getCurrentSceneManager(), nullptr);
         }
         tripwire.trips = false;
         const LayerProof proof;
