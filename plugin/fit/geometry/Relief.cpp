@@ -45,8 +45,6 @@ std::uint64_t edgeNumber(const PointHash& from, const PointHash& to) {
 
 constexpr std::size_t Directions = ReliefCell::Directions;
 static_assert(Directions == 8);
-constexpr double Turn = std::numbers::pi / 4.0;
-
 using Rises = Eigen::Array<float, Directions, 1>;
 
 /// Of the angles of all directions.
@@ -55,18 +53,16 @@ constexpr std::array<float, Directions> Cosines{1.0F, Half, 0.0F, -Half, -1.0F, 
 constexpr std::array<float, Directions> Sines{0.0F, Half, 1.0F, Half, 0.0F, -Half, -1.0F, -Half};
 
 /// What slopes may rise along a vector across the axis, at most. What the steepest of some slopes
-/// rises is no more along a sum of vectors than the sum of what it rises along each.
+/// rises is no more along a sum of vectors than the sum of what it rises along each: these are along
+/// the two directions that the vector is between.
 double riseAlong(const Rises& rises, const Vec2& vector) {
-    const double angle = std::atan2(vector.y(), vector.x());
-    const double turns = (angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle) / Turn;
-    const double before = std::floor(turns);
-    const double part = (turns - before) * Turn;
-    const auto k = static_cast<std::size_t>(before) % Directions;
-    const double length = vector.norm() / std::sin(Turn);
-    return length *
-           (std::sin(Turn - part) * static_cast<double>(rises[static_cast<Eigen::Index>(k)]) +
-            std::sin(part) *
-                static_cast<double>(rises[static_cast<Eigen::Index>((k + 1) % Directions)]));
+    const Vec2 size = vector.cwiseAbs();
+    const bool isLeft = vector.x() < 0.0;
+    const bool isDown = vector.y() < 0.0;
+    const Eigen::Index straight = size.x() > size.y() ? (isLeft ? 4 : 0) : (isDown ? 6 : 2);
+    const Eigen::Index diagonal = isDown ? (isLeft ? 5 : 7) : (isLeft ? 3 : 1);
+    return (size.maxCoeff() - size.minCoeff()) * static_cast<double>(rises[straight]) +
+           std::numbers::sqrt2 * size.minCoeff() * static_cast<double>(rises[diagonal]);
 }
 
 /// The two coordinates across an axis.
