@@ -240,7 +240,7 @@ void ObjectShapes::addPart(const Ogre::MovableObject& whole) {
     const std::size_t index = mObjects.size();
     mObjects.push_back(nullptr);
     if (mPartRuns.empty() || mPartRuns.back().end != index || mPartRuns.back().whole != &whole)
-        mPartRuns.push_back({index, index, &whole});
+        mPartRuns.push_back({index, &whole});
     ++mPartRuns.back().end;
 }
 

@@ -178,7 +178,6 @@ private:
     std::vector<const Ogre::MovableObject*> mObjects;
     /// Boxes in a row that are parts of one object.
     struct PartRun {
-        std::size_t begin;
         std::size_t end;
         const Ogre::MovableObject* whole;
     };

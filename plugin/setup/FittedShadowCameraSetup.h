@@ -47,8 +47,8 @@ struct CommonOptions {
         scale of a texel. */
     double depthBias = 0.0;
     /** Whether maps are fitted to convex hulls of meshes, where these fill their boxes badly, such
-        as what is long and turned, and leave out what a large convex mesh shadows of itself, and a
-        ground of hills (Relief.h) but for what is behind its slopes: the side that faces away
+        as what is long and turned, and leave out what a large convex mesh shadows of itself, or a
+        ground of hills (Relief.h) where no slope is before it: the side that faces away
         from the light, which materials must leave unlit by their normals, as they do unless light
         shines through. Hulls are made of a mesh's vertices as they were first read: turn it off
         where static buffers are rewritten in place. No hull is used for meshes whose vertices may

@@ -11,7 +11,7 @@ namespace {
 /// is: what it covers of itself is a small part of what is visible.
 constexpr double LeastSize = 0.25;
 
-/// A relief of which more than this part may face away from the light is left as it is.
+/// A relief is left as it is where more than this part of it may face away from the light.
 constexpr double MostSlopes = 0.5;
 
 } // namespace

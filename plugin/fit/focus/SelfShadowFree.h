@@ -9,7 +9,7 @@
 namespace Lixel {
 
 /// A body that casts and receives, and shadows nothing of itself that faces the problem's light,
-/// but for what its slopes shadow.
+/// except behind slopes.
 struct SelfShadowFreeBody {
     /// Its index among the problem's casters.
     std::size_t caster = 0;
