@@ -87,8 +87,8 @@ public:
     virtual bool isInParts(const void* /*identity*/) const noexcept { return false; }
 
     /** Whether the body is known to shadow nothing of itself that faces the light: a flat sheet or
-        the closed surface of a convex body. A relief is one too, and may shadow itself behind slopes
-        that face away. All are drawn from outside alone.
+        the closed surface of a convex body. A relief is one too, and may shadow itself behind
+        slopes that face away. All are drawn from outside alone.
 
         No light ray meets such a body twice on sides that face the light. So whatever it shadows of
         itself faces away from the light (n . l <= 0), and is dark without a map. Materials must

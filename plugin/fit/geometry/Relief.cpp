@@ -53,8 +53,8 @@ constexpr std::array<float, Directions> Cosines{1.0F, Half, 0.0F, -Half, -1.0F, 
 constexpr std::array<float, Directions> Sines{0.0F, Half, 1.0F, Half, 0.0F, -Half, -1.0F, -Half};
 
 /// What slopes may rise along a vector across the axis, at most. What the steepest of some slopes
-/// rises is no more along a sum of vectors than the sum of what it rises along each: these are along
-/// the two directions that the vector is between.
+/// rises is no more along a sum of vectors than the sum of what it rises along each: these are
+/// along the two directions that the vector is between.
 double riseAlong(const Rises& rises, const Vec2& vector) {
     const Vec2 size = vector.cwiseAbs();
     const bool isLeft = vector.x() < 0.0;
