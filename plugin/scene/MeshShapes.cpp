@@ -217,7 +217,11 @@ bool MeshShapes::isSelfShadowFree(const Ogre::Entity& entity, SelfShadowFree& bo
         bounds.extend(vertex);
     body.around.box = {bounds.center(), bounds.sizes() / 2.0};
     body.relief = nullptr;
-    if (isConvex(entity, *hull)) return true;
+    body.isBox = false;
+    if (isConvex(entity, *hull)) {
+        body.isBox = hull->hasCorners;
+        return true;
+    }
     Entry& entry = find(entity.getMesh());
     // Where parts are wanted, the surface is read with them.
     CloudReading& surface = entry.parts ? *entry.parts : entry.cloud;

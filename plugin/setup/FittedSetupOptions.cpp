@@ -25,8 +25,9 @@ constexpr std::array DeclaredCommon{
         "mesh_hulls",
         "whether maps are fitted to convex hulls of meshes that fill their boxes badly, and leave "
         "out what a mesh cannot shadow of itself: a convex one, such as a flat ground, and of a "
-        "ground of hills all but what is behind slopes that face away from the light; off where "
-        "static buffers are rewritten in place"),
+        "ground of hills all but what is behind slopes that face away from the light; and "
+        "the sides of boxes and blocks of ground that face away from it; off where static buffers "
+        "are rewritten in place"),
     option<&CommonOptions::reuseMaps>(
         "reuse_maps", "whether a map is kept while it shows just what it would show if it were "
                       "drawn again"),

@@ -4,10 +4,10 @@
 //
 // A field of boxes on a large ground, as in lixel-bench-survey, with the viewer in its middle. The
 // viewer turns a little from one fit to the next, as it does from frame to frame. Each fit is
-// measured twice: with nothing known of the bodies but their boxes, and with bodies that are known
-// to be convex. Optimal is also measured with `edge_weight` and `skewed_maps`. Cascades are three
-// maps of Optimal, divided and fitted: into slices by depth, or into strips where they are judged
-// better.
+// measured with nothing known of the bodies but their boxes, with bodies that are known to be
+// these, and with hills for a ground. Optimal is also measured with `edge_weight` and without
+// `skewed_maps`. Cascades are three maps of Optimal, divided and fitted: into slices by depth, or
+// into strips where they are judged better.
 #include "fit/core/FitState.h"
 #include "fit/parts/CascadeDivision.h"
 #include "fit/technique/Optimal.h"
@@ -49,28 +49,63 @@ Mat4 projection() {
     return m;
 }
 
+/// What is known of the bodies beyond their boxes.
+enum class Known {
+    Nothing,
+    Boxes, ///< that they are these
+    Hills, ///< the same, but the first is a ground of low hills in as many cells as are read
+};
+struct NamedKnowledge {
+    const char* suffix;
+    Known known;
+};
+constexpr std::array<NamedKnowledge, 3> AllKnowledge = {
+    {{"", Known::Nothing}, {"/boxes", Known::Boxes}, {"/hills", Known::Hills}}};
+
 /// Bodies that fill their boxes, the same among casters and receivers.
 class Boxes final : public BodyShapes {
 public:
-    explicit Boxes(const BoxSet& boxes) : mBoxes(boxes) {}
+    /// @param hills whether the first of them is a ground of hills
+    Boxes(const BoxSet& boxes, bool hills) : mBoxes(boxes), mHasHills(hills) {
+        if (!hills) return;
+        constexpr auto Side = static_cast<int>(ReliefBuilder::Side);
+        mHills.steepness = 0.1;
+        const Aabb ground = boxes.box(0);
+        const Vec3 size = ground.halfExtents * 2.0 / Side;
+        for (int i = 0; i < Side * Side; ++i) {
+            const double x = i % Side * size.x();
+            const double z = i / Side * size.z();
+            const Vec3 least = ground.centre - ground.halfExtents + Vec3(x, 0.0, z);
+            // Half of them are higher than others.
+            const Vec3 most =
+                least + Vec3(size.x(), (i % 2 + 1) * ground.halfExtents.y(), size.z());
+            mHills.cells.push_back({{least.cast<float>(), most.cast<float>()},
+                                    decltype(ReliefCell::rise)::Constant(0.1F)});
+        }
+    }
 
     const BodyHull* hullOf(std::size_t, Transform3&) const noexcept override { return nullptr; }
     const void* identityOf(std::size_t index) const noexcept override {
         return reinterpret_cast<const void*>(index + 1);
     }
     bool isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept override {
-        body.around = {mBoxes.box(index), Transform3::Identity()};
+        const bool isHills = mHasHills && index == 0;
+        body = {.around = {mBoxes.box(index), Transform3::Identity()},
+                .isBox = !isHills,
+                .relief = isHills ? &mHills : nullptr};
         return true;
     }
 
 private:
     const BoxSet& mBoxes;
+    bool mHasHills;
+    Relief mHills;
 };
 
 /// The field, relative to a viewer 5 units above the middle of its ground.
 class Field {
 public:
-    Field(LightKind kind, int objects, bool convex) {
+    Field(LightKind kind, int objects, Known known) {
         constexpr double Eye = 5.0;
         const double reach = 10.0 * std::sqrt(objects);
         std::mt19937 engine(1);
@@ -93,7 +128,10 @@ public:
         }
         problem.casters = &mBodies;
         problem.receivers = &mBodies;
-        if (convex) problem.casterShapes = problem.receiverShapes = &mShapes;
+        if (known != Known::Nothing) {
+            mShapes.emplace(mBodies, known == Known::Hills);
+            problem.casterShapes = problem.receiverShapes = &*mShapes;
+        }
     }
     Field(const Field&) = delete;
     Field& operator=(const Field&) = delete;
@@ -109,12 +147,12 @@ public:
 
 private:
     BoxSet mBodies;
-    Boxes mShapes{mBodies};
+    std::optional<Boxes> mShapes;
 };
 
 void measure(benchmark::State& state, const FitTechnique& technique,
-             const std::shared_ptr<const void>& options, LightKind kind, int objects, bool convex) {
-    Field field(kind, objects, convex);
+             const std::shared_ptr<const void>& options, LightKind kind, int objects, Known known) {
+    Field field(kind, objects, known);
     FitState memory;
     int frame = 0;
     for (auto _ : state) {
@@ -129,7 +167,7 @@ void measure(benchmark::State& state, const FitTechnique& technique,
 }
 
 void measureCascades(benchmark::State& state, LightKind kind, int objects, bool strips) {
-    Field field(kind, objects, false);
+    Field field(kind, objects, Known::Nothing);
     constexpr std::size_t Maps = 3;
     const CascadeOptions options{.stripLight = strips};
     const PartFit technique = [](const ShadowProblem& part, FitState& memory) {
@@ -158,17 +196,17 @@ int main(int argc, char** argv) {
     for (const Lixel::FitTechnique* const technique : Lixel::techniques())
         for (const Light& light : Lights)
             for (const int objects : Sizes)
-                for (const bool convex : {false, true}) {
+                for (const auto& [suffix, known] : AllKnowledge) {
                     const std::string name = std::string(technique->name) + "/" + light.name + "/" +
-                                             std::to_string(objects) + (convex ? "/convex" : "");
-                    const auto run = [technique, light, objects, convex](auto& state) {
+                                             std::to_string(objects) + suffix;
+                    const auto run = [technique, light, objects, known](auto& state) {
                         measure(state, *technique, technique->makeOptions(nullptr), light.kind,
-                                objects, convex);
+                                objects, known);
                     };
                     benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
                 }
     const std::pair<const char*, Lixel::OptimalOptions> variants[] = {
-        {"/edges", {.edgeWeight = 0.6}}, {"/skewed", {.skewedMaps = true}}};
+        {"/edges", {.edgeWeight = 0.6}}, {"/rectangles", {.skewedMaps = false}}};
     for (const auto& [variant, options] : variants)
         for (const Light& light : Lights)
             for (const int objects : Sizes) {
@@ -177,7 +215,7 @@ int main(int argc, char** argv) {
                 const auto run = [light, objects, options](auto& state) {
                     measure(state, Lixel::OptimalOptions::technique(),
                             std::make_shared<Lixel::OptimalOptions>(options), light.kind, objects,
-                            false);
+                            Known::Nothing);
                 };
                 benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
             }

@@ -28,6 +28,18 @@ struct Bodies {
                         back * direction);
     }
 
+    /// Where a relief's surface may be on a ray.
+    std::vector<Interval> meetCells(std::size_t index, const Vec3& origin,
+                                    const Vec3& direction) const {
+        std::vector<Interval> hits;
+        for (const auto& [box, wsFromBody] : turned.cellsOf(index)) {
+            const Transform3 bodyFromWs = wsFromBody.inverse();
+            const auto hit = rayInBox(box, bodyFromWs * origin, bodyFromWs.linear() * direction);
+            if (hit) hits.push_back(*hit);
+        }
+        return hits;
+    }
+
     /// The point of a body that is at `at` in the cube -1 to 1.
     Vec3 point(std::size_t index, const Vec3& at) const {
         const TurnedBox* const body = turned.find(index);
@@ -61,11 +73,17 @@ struct ReceiverPoint {
 
 void appendHits(const Bodies& receivers, const Vec3& origin, const Vec3& direction,
                 std::vector<ReceiverPoint>& points) {
-    for (std::size_t i = 0; i < receivers.size(); ++i)
+    const auto append = [&](std::size_t receiver, double at) {
+        if (at > 0.0) points.push_back({receiver, origin + at * direction});
+    };
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
         if (const auto hit = receivers.meet(i, origin, direction)) {
-            if (hit->begin > 0.0) points.push_back({i, origin + hit->begin * direction});
-            if (hit->end > 0.0) points.push_back({i, origin + hit->end * direction});
+            append(i, hit->begin);
+            append(i, hit->end);
         }
+        for (const Interval& hit : receivers.meetCells(i, origin, direction))
+            append(i, (hit.begin + hit.end) / 2.0);
+    }
 }
 
 std::vector<ReceiverPoint> visibleReceiverPoints(const Scene& scene, Dice& dice, std::size_t rays) {
@@ -135,7 +153,8 @@ Vec3 towardsLight(const ShadowLight& light, const Vec3& ws) {
 }
 
 std::optional<Vec3> occluder(const Scene& scene, std::size_t receiver, const Vec3& ws) {
-    if (!shinesOn(scene.light, ws)) return std::nullopt;
+    if (!shinesOn(scene.light, ws) || !scene.turnedReceivers.mayBeLit(receiver, scene.light, ws))
+        return std::nullopt;
     const Vec3 direction = towardsLight(scene.light, ws);
     double last = Infinity;
     if (scene.light.kind == LightKind::Point) {

@@ -35,7 +35,8 @@ bool shinesOn(const ShadowLight& light, const Vec3& ws);
 Vec3 towardsLight(const ShadowLight& light, const Vec3& ws);
 
 /// The occluder nearest to the light on the ray to a point of a receiver, if there is one; a convex
-/// body occludes nothing of itself, a relief what is behind its slopes that face away.
+/// body occludes nothing of itself, a relief what is behind its slopes that face away. None for
+/// what is dark anyway: sides of boxes that face away from the light.
 std::optional<Vec3> occluder(const Scene& scene, std::size_t receiver, const Vec3& ws);
 
 /// Points on the surfaces of receivers that the viewer sees.

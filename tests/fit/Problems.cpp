@@ -156,6 +156,40 @@ std::uintptr_t TurnedBoxes::numberOf(std::size_t index) const noexcept {
     return found != convex.end() ? found->number : 0;
 }
 
+bool TurnedBoxes::mayBeLit(std::size_t index, const ShadowLight& light, const Vec3& ws) const {
+    const auto found = std::ranges::find(convex, index, &ConvexBox::index);
+    if (found == convex.end()) return true;
+    const bool isRelief = found->relief && !found->relief->cells.empty();
+    if (!isRelief && !found->isBox) return true;
+    const auto& [box, wsFromBody] = found->around;
+    if (box.halfExtents.minCoeff() == 0.0) return true;
+    const Vec3 at = (wsFromBody.inverse() * ws - box.centre).cwiseQuotient(box.halfExtents);
+    constexpr double OnSide = 1e-6;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        if (std::abs(at[axis]) < 1.0 - OnSide) continue;
+        const Vec3 outward = std::copysign(1.0, at[axis]) * Vec3::Unit(axis);
+        const bool isTop = isRelief && outward.dot(found->relief->axis) > 0.5;
+        const Vec3 towards = light.kind == LightKind::Directional ? Vec3(-light.wsDirection)
+                                                                  : Vec3(light.wsPosition - ws);
+        if (!isTop && (wsFromBody.linear() * outward).dot(towards) > 0.0) return true;
+    }
+    return std::ranges::any_of(cellsOf(index), [&](const PlacedBox& cell) {
+        const Vec3 offset = cell.wsFromBody.inverse() * ws - cell.box.centre;
+        return (offset.cwiseAbs().array() <= cell.box.halfExtents.array()).all();
+    });
+}
+
+std::vector<PlacedBox> TurnedBoxes::cellsOf(std::size_t index) const {
+    std::vector<PlacedBox> cells;
+    const auto found = std::ranges::find(convex, index, &ConvexBox::index);
+    if (found == convex.end() || !found->relief) return cells;
+    for (const ReliefCell& cell : found->relief->cells)
+        cells.push_back(
+            {{cell.bounds.center().cast<double>(), cell.bounds.sizes().cast<double>() / 2.0},
+             found->around.wsFromBody});
+    return cells;
+}
+
 std::vector<PlacedBox> TurnedBoxes::slopesOf(std::size_t index, const ShadowLight& light) const {
     std::vector<PlacedBox> slopes;
     const auto found = std::ranges::find(convex, index, &ConvexBox::index);
@@ -192,7 +226,7 @@ bool TurnedBoxes::isInParts(const void* identity) const noexcept {
 bool TurnedBoxes::isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept {
     const auto found = std::ranges::find(convex, index, &ConvexBox::index);
     if (found == convex.end()) return false;
-    body = {found->around, found->relief ? &*found->relief : nullptr};
+    body = {found->around, found->isBox, found->relief ? &*found->relief : nullptr};
     return true;
 }
 
@@ -228,15 +262,15 @@ void Scene::addConvexBody(const Aabb& box) {
     setConvex(casters.size() - 1, receivers.size() - 1);
 }
 
-void Scene::setConvex(std::size_t caster, std::size_t receiver,
-                      const std::optional<Relief>& relief) {
+void Scene::setConvex(std::size_t caster, std::size_t receiver, const std::optional<Relief>& relief,
+                      bool isBox) {
     PlacedBox around{casters.box(caster), Transform3::Identity()};
     if (const TurnedBox* const body = turnedCasters.find(caster))
         around = {{Vec3::Zero(), body->box.halfExtents},
                   Eigen::Translation3d(body->box.centre) * Transform3(body->turn)};
     const std::uintptr_t number = turnedCasters.convex.size() + 1;
-    turnedCasters.convex.push_back({caster, number, around, relief});
-    turnedReceivers.convex.push_back({receiver, number, around, relief});
+    turnedCasters.convex.push_back({caster, number, around, relief, isBox});
+    turnedReceivers.convex.push_back({receiver, number, around, relief, isBox});
 }
 
 Mat4 frustum(double left, double right, double bottom, double top, double nearDepth,
@@ -444,7 +478,7 @@ void sayConvex(Scene& scene, Dice& dice) {
             if (dice.chance(0.5))
                 relief = anyRelief(
                     turned != nullptr ? Aabb{Vec3::Zero(), turned->box.halfExtents} : caster, dice);
-            scene.setConvex(i, k, relief);
+            scene.setConvex(i, k, relief, !relief && dice.chance(0.7));
         }
 }
 

@@ -42,6 +42,8 @@ struct ConvexBox {
     PlacedBox around;
     /// It says so of what faces the light alone.
     std::optional<Relief> relief = std::nullopt;
+    /// It says that it is the box.
+    bool isBox = false;
 };
 
 /// Those of a set's bodies that are turned boxes, by ascending index, and that are convex.
@@ -52,6 +54,11 @@ struct TurnedBoxes final : BodyShapes {
     const TurnedBox* find(std::size_t index) const;
     /// The number of a convex body; 0 of others.
     std::uintptr_t numberOf(std::size_t index) const noexcept;
+    /// Whether what a body says of itself leaves a point of it for light to fall on: nothing else
+    /// of it needs a shadow.
+    bool mayBeLit(std::size_t index, const ShadowLight& light, const Vec3& ws) const;
+    /// The boxes of a relief's surface, and where it is.
+    std::vector<PlacedBox> cellsOf(std::size_t index) const;
     /// Boxes around what a relief may shadow of itself with.
     std::vector<PlacedBox> slopesOf(std::size_t index, const ShadowLight& light) const;
     void clear();
@@ -86,7 +93,7 @@ struct Scene {
     void addConvexBody(const Aabb& box);
     /// Has a caster and a receiver, which must be at one place, say that they are one convex body.
     void setConvex(std::size_t caster, std::size_t receiver,
-                   const std::optional<Relief>& relief = std::nullopt);
+                   const std::optional<Relief>& relief = std::nullopt, bool isBox = false);
 };
 
 /// How far inside the border of the scene's map a texel coordinate is; negative outside.

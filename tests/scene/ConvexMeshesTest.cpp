@@ -129,6 +129,7 @@ TEST_P(ConvexMeshesTest, ArePlanesCubesAndSpheres) {
         Ogre::Entity* const entity = show(mManager->createEntity(prefab));
         mNode->setPosition(0, 0, -200);
         EXPECT_TRUE(isConvex()) << entity->getMesh()->getName();
+        EXPECT_EQ(mBody.isBox, prefab != Ogre::SceneManager::PT_SPHERE);
         mNode->detachAllObjects();
     }
 }

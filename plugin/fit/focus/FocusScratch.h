@@ -14,6 +14,9 @@ struct FocusScratch {
     SelfShadowFreeBodies selfShadowFree;
     /// The receivers that may be behind one of those.
     BoxSet behind;
+    /// What may face the light of a receiver.
+    BoxSet litSurface;
+    BoxSet litSurfaceInView;
     /// What is left of receivers or casters after the first questions.
     BoxSet afterFirstPlanes;
     /// Half spaces that boxes are asked about.

@@ -1,6 +1,7 @@
 #include "fit/focus/VisibleReceivers.h"
 
 #include "fit/focus/BodyClipping.h"
+#include "fit/focus/LitSurface.h"
 #include "fit/focus/ViewVolume.h"
 #include "fit/problem/ShadowPart.h"
 
@@ -13,6 +14,12 @@ namespace {
 void include(Vec2& range, double least, double greatest) {
     range = {std::min(range.x(), least), std::max(range.y(), greatest)};
 }
+
+/// Of how many receivers the lit surface is asked for; and those whose half extents add up to less
+/// than this part of the largest's are taken as they are: what faces away from the light is a small
+/// part of what is visible.
+constexpr std::size_t MostLarge = 8;
+constexpr double LargePart = 0.25;
 
 } // namespace
 
@@ -34,6 +41,14 @@ VisibleReceivers::VisibleReceivers(const ShadowProblem& problem, const LightImag
 
 void VisibleReceivers::addAll(const BoxSet& receivers) {
     keepReaching(receivers, mSeen.planes(), mScratch.afterFirstPlanes, mInView);
+    if (mProblem.receiverShapes != nullptr) {
+        std::array<std::size_t, MostLarge> largest;
+        const std::size_t count = largestBoxes(mInView, largest);
+        const auto sizeOf = [&](std::size_t i) {
+            return mInView.box(largest[i]).halfExtents.sum();
+        };
+        if (count > 0) mLarge = std::max(LargePart * sizeOf(0), sizeOf(count - 1));
+    }
     addAllBut(
         mInView, [this](const BoxSet::Block& block) { return lanesWithin(block); },
         [this](const Aabb& box, std::size_t index) {
@@ -49,10 +64,27 @@ void VisibleReceivers::addAll(const BoxSet& receivers) {
 void VisibleReceivers::add(const Aabb& box, std::size_t index) {
     const ConvexVolume::Side side = mSeen.classify(box);
     if (side == ConvexVolume::Side::Outside) return;
+    if (addLitSurface(box, index)) return;
     const PlacedHull body(mProblem.receiverShapes, index);
     if (body.hull == nullptr && side == ConvexVolume::Side::Inside) return addCorners(box);
     body.clip(box, mSeen, mScratch);
     addPoints();
+}
+
+bool VisibleReceivers::addLitSurface(const Aabb& box, std::size_t index) {
+    if (mProblem.receiverShapes == nullptr || !(box.halfExtents.sum() >= mLarge)) return false;
+    SelfShadowFree known;
+    if (!mProblem.receiverShapes->isSelfShadowFree(index, known) ||
+        !findLitSurface(known, mImage, mScratch.litSurface))
+        return false;
+    BoxSet& inView = mScratch.litSurfaceInView;
+    keepReaching(mScratch.litSurface, mSeen.planes(), mScratch.afterFirstPlanes, inView);
+    mScratch.wsPoints.clear();
+    for (const Aabb& part : inView.boxes())
+        clipBox(part, mSeen, mScratch.clip, mScratch.wsPoints);
+    // All at once: a hull of many points is found sooner than it grows by them.
+    addPoints();
+    return true;
 }
 
 void VisibleReceivers::addClipped(const Aabb& box) {

@@ -35,6 +35,9 @@ private:
     /// Adds what is visible of a body.
     /// @param index of it in the problem's set
     void add(const Aabb& box, std::size_t index);
+    /// Adds what is visible of what may face the light of a large body.
+    /// @return false where that is not known
+    bool addLitSurface(const Aabb& box, std::size_t index);
     void addCorners(const Aabb& box);
     void addPoints();
 
@@ -45,6 +48,8 @@ private:
     Gauge mLsDepth;
     Gauge mVsDepth;
     ConvexVolume mSeen;
+    /// Sum of half extents from which on a body is large.
+    double mLarge = 0.0;
     Vec2 mLsRange = Vec2(Infinity, -Infinity);
     Vec2 mVsRange = Vec2(Infinity, -Infinity);
 };

@@ -177,9 +177,17 @@ BodyHull BodyHullBuilder::build() const {
         vertex += Outward * (vertex - box.centre);
     hull.volume = volumeOf(hull);
     const Vec3 reach = upper.cwiseAbs().cwiseMax(lower.cwiseAbs());
-    for (std::size_t i = 0; i < Axes; ++i)
-        hull.flat =
-            hull.flat || mMost[i] - mLeast[i] <= FloatRounding * axes()[i].cwiseAbs().dot(reach);
+    hull.hasCorners = true;
+    for (std::size_t i = 0; i < Axes; ++i) {
+        const Vec3 axis = axes()[i];
+        const double rounding = FloatRounding * axis.cwiseAbs().dot(reach);
+        hull.flat = hull.flat || mMost[i] - mLeast[i] <= rounding;
+        if ((axis.array() == 0.0).any()) continue;
+        const double middle = axis.dot(box.centre);
+        const double corner = axis.cwiseAbs().dot(box.halfExtents);
+        hull.hasCorners = hull.hasCorners && mMost[i] - middle >= corner - rounding &&
+                          middle - mLeast[i] >= corner - rounding;
+    }
     return hull;
 }
 

@@ -29,6 +29,9 @@ struct BodyHull {
     /// Whether all points lie in one plane, across one of the faces' normals, as exactly as floats
     /// can tell.
     bool flat = false;
+    /// Whether there is a point in each corner of their box, as exactly as floats can tell. A convex
+    /// body of these points is the box itself.
+    bool hasCorners = false;
 
     bool empty() const { return vertices.empty(); }
 };
@@ -69,6 +72,8 @@ struct PlacedBox {
 struct SelfShadowFree {
     /// Around the body.
     PlacedBox around;
+    /// Whether the body is that box itself.
+    bool isBox = false;
     /// Which of its surface does nevertheless, in the body's own space; null where nothing does. It
     /// must outlive the fit.
     const Relief* relief = nullptr;
@@ -91,10 +96,11 @@ public:
         slopes that face away. All are drawn from outside alone.
 
         No light ray meets such a body twice on sides that face the light. So whatever it shadows of
-        itself faces away from the light (n . l <= 0), and is dark without a map. Materials must
-        shade it so, by the normals of its surface. A sheet that is lit on the side that the
+        itself faces away from the light (n . l <= 0), and is dark without a map, whoever else
+        shadows it: where it is known which sides of a body these are, maps leave them out. Materials
+        must shade it so, by the normals of its surface. A sheet that is lit on the side that the
         viewer does not see is dark in the same way, whether or not both its sides are drawn.
-        @param[out] body where the answer is true: a box around it, and its relief */
+        @param[out] body where the answer is true: a box around it, whether it is that box, and its relief */
     virtual bool isSelfShadowFree(std::size_t /*index*/, SelfShadowFree& /*body*/) const noexcept {
         return false;
     }

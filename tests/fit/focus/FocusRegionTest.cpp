@@ -381,6 +381,76 @@ TEST(FocusRegion, HoldsWhatSlopesThatFaceAwayShadowOfAGround) {
               extentAlong(scene, region, Vec3::UnitX()) + 0.5);
 }
 
+namespace {
+
+/// A viewer at height 2 over a ground whose top is at y = 0, an oblique sun from behind, and a post
+/// on its left that shadows what is not seen of the top, but of what is below.
+Scene postBesideTheView(const Aabb& ground) {
+    Scene scene;
+    scene.viewer.viewFromWorld = lookAlong(Vec3(0.0, 2.0, 0.0), -Vec3::UnitZ());
+    scene.viewer.clipFromView = perspective(1.0, 1.0, 0.1, 100.0);
+    scene.light.wsDirection = Vec3(0.3, -1.0, -1.0);
+    scene.addBody(ground);
+    scene.setConvex(0, 0);
+    scene.casters.add({Vec3(-4.0, 1.0, -2.5), Vec3(0.5, 1.0, 0.5)});
+    scene.casters.add({Vec3(0.0, 0.5, -10.0), Vec3(0.5, 0.5, 0.5)});
+    return scene;
+}
+
+/// Expects two scenes of one light to have the same region.
+void expectSameRegion(const Scene& scene, const Scene& expected) {
+    const FocusRegion region = regionOf(scene);
+    const FocusRegion wanted = regionOf(expected);
+    ASSERT_EQ(region.reason, FitReason::None);
+    for (const Vec3& direction :
+         {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()), Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ())})
+        EXPECT_NEAR(extentAlong(scene, region, direction), extentAlong(expected, wanted, direction),
+                    1e-5);
+    EXPECT_NEAR(region.lsReceiverFar, wanted.lsReceiverFar, 1e-5);
+    EXPECT_NEAR(region.vsReceiverNear, wanted.vsReceiverNear, 1e-5);
+}
+
+} // namespace
+
+TEST(FocusRegion, HoldsNothingOfTheSoilUnderAGround) {
+    const Aabb block{Vec3(0.0, -2.0, 0.0), Vec3(200.0, 2.0, 200.0)};
+    const Scene sheet = postBesideTheView({Vec3::Zero(), Vec3(200.0, 0.0, 200.0)});
+    Scene scene = postBesideTheView(block);
+    EXPECT_GT(extentAlong(scene, regionOf(scene), -Vec3::UnitX()),
+              extentAlong(sheet, regionOf(sheet), -Vec3::UnitX()) + 1.0);
+    scene.turnedReceivers.convex.front().isBox = true;
+    expectSameRegion(scene, sheet);
+}
+
+TEST(FocusRegion, HoldsNothingOfTheAirOverAValley) {
+    // Its only hill is behind the viewer.
+    const Scene sheet = postBesideTheView({Vec3::Zero(), Vec3(200.0, 0.0, 200.0)});
+    Scene scene = postBesideTheView({Vec3(0.0, 1.0, 0.0), Vec3(200.0, 1.5, 200.0)});
+    Relief relief{Vec3::UnitY(), 0.01, {}};
+    relief.cells.push_back(
+        {{Eigen::Vector3f(-200.0F, 0.0F, -200.0F), Eigen::Vector3f(200.0F, 0.0F, 50.0F)},
+         decltype(ReliefCell::rise)::Zero()});
+    relief.cells.push_back(
+        {{Eigen::Vector3f(-200.0F, 0.0F, 50.0F), Eigen::Vector3f(200.0F, 2.5F, 200.0F)},
+         decltype(ReliefCell::rise)::Constant(0.01F)});
+    scene.turnedCasters.convex.front().relief = relief;
+    EXPECT_GT(extentAlong(scene, regionOf(scene), -Vec3::UnitX()),
+              extentAlong(sheet, regionOf(sheet), -Vec3::UnitX()) + 1.0);
+    scene.turnedReceivers.convex.front().relief = relief;
+    expectSameRegion(scene, sheet);
+}
+
+TEST(FocusRegion, IsOfNoReceiverWhereAllThatIsSeenFacesAway) {
+    // From below a block of ground, not as far as its top.
+    Scene scene = postBesideTheView({Vec3(0.0, -2.0, 0.0), Vec3(200.0, 2.0, 200.0)});
+    scene.viewer.viewFromWorld = lookAlong(Vec3(0.0, -6.0, 0.0), Vec3(0.0, 1.0, -2.0));
+    scene.viewer.clipFromView = perspective(0.5, 1.0, 0.1, 6.0);
+    scene.casters.add({Vec3(-1.5, 0.5, -0.5), Vec3(0.5, 0.5, 0.5)});
+    EXPECT_EQ(regionOf(scene).reason, FitReason::None);
+    scene.turnedReceivers.convex.front().isBox = true;
+    EXPECT_EQ(regionOf(scene).reason, FitReason::NoReceivers);
+}
+
 TEST(FocusRegion, IsAnotherCastersImageOnAConvexGround) {
     Scene scene = noonOnConvexGround();
     scene.casters.add({Vec3(1.0, 3.0, -0.5), Vec3(0.5, 1.0, 0.25)});

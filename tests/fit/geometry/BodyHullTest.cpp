@@ -68,6 +68,22 @@ TEST(BodyHull, OfABoxIsTheBox) {
     EXPECT_NEAR(hull.volume, 8.0 * box.halfExtents.prod(), 1e-9);
     for (const Vec3& vertex : hull.vertices)
         EXPECT_NEAR(((vertex - box.centre).cwiseAbs() - box.halfExtents).norm(), 0.0, 1e-9);
+    EXPECT_TRUE(hull.hasCorners);
+}
+
+TEST(BodyHull, HasNotAllCornersOfABoxWhereOneIsCutOffALittle) {
+    // Too little for a face of its own.
+    auto corner = corners({Vec3(1, 2, 3), Vec3(1, 0.5, 2)});
+    for (Vec3& point : corner) {
+        const Vec3 kept = point;
+        point.x() += point.x() > 1.0 ? -1e-3 : 1e-3;
+        std::vector<Vec3> points(corner.begin(), corner.end());
+        points.push_back({kept.x(), 2.0, 3.0});
+        const BodyHull hull = makeBodyHull(points);
+        EXPECT_EQ(hull.vertices.size(), 8U);
+        EXPECT_FALSE(hull.hasCorners);
+        point = kept;
+    }
 }
 
 /// Its faces have the normals (±1, ±1, ±1): the hull is exact.

@@ -23,7 +23,7 @@ Vec3 rounded(const Vec3& point) {
 }
 
 /// Triangles, and rays that meet them.
-struct Surface {
+struct GroundMesh {
     std::vector<Triangle> triangles;
 
     void add(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -75,8 +75,8 @@ struct Surface {
 using Height = std::function<double(double x, double z)>;
 
 /// A sheet of squares over [-1, 1] x [-1, 1], the y axis up.
-Surface sheetOf(const Height& height, int squares = 10) {
-    Surface sheet;
+GroundMesh sheetOf(const Height& height, int squares = 10) {
+    GroundMesh sheet;
     const auto at = [&](int x, int z) {
         const double px = 2.0 * x / squares - 1.0;
         const double pz = 2.0 * z / squares - 1.0;
@@ -89,8 +89,8 @@ Surface sheetOf(const Height& height, int squares = 10) {
 }
 
 /// The same as a block with walls down to y, and an underside.
-Surface blockOf(const Height& height, double underside, int squares = 10) {
-    Surface block = sheetOf(height, squares);
+GroundMesh blockOf(const Height& height, double underside, int squares = 10) {
+    GroundMesh block = sheetOf(height, squares);
     const auto wall = [&](double x0, double z0, double x1, double z1) {
         for (int i = 0; i < squares; ++i) {
             const double s = static_cast<double>(i) / squares;
@@ -124,7 +124,7 @@ double hills(double x, double z) {
 } // namespace
 
 TEST(Relief, IsASheetOfHills) {
-    const Surface sheet = sheetOf(hills);
+    const GroundMesh sheet = sheetOf(hills);
     const auto relief = sheet.relief();
     ASSERT_TRUE(relief);
     EXPECT_EQ(relief->axis, Vec3::UnitY());
@@ -157,7 +157,7 @@ TEST(Relief, LiesAlongAnyAxis) {
             turn.col(1) = sign * Vec3::Unit(axis);
             turn.col(0) = Vec3::Unit((axis + 1) % 3);
             turn.col(2) = turn.col(0).cross(turn.col(1));
-            Surface turned = blockOf(hills, -0.5);
+            GroundMesh turned = blockOf(hills, -0.5);
             for (Triangle& triangle : turned.triangles)
                 for (Vec3& point : triangle)
                     point = turn * point;
@@ -173,7 +173,7 @@ TEST(Relief, IsNothingSteep) {
 }
 
 TEST(Relief, IsNotSeenFromBelow) {
-    Surface sheet = sheetOf(hills);
+    GroundMesh sheet = sheetOf(hills);
     for (auto& [a, b, c] : sheet.triangles)
         std::swap(b, c);
     const auto relief = sheet.relief();
@@ -183,52 +183,52 @@ TEST(Relief, IsNotSeenFromBelow) {
 
 TEST(Relief, HasNothingAboveIt) {
     // A second sheet, a tile that was lifted out of it, and a box that stands on it.
-    Surface two = sheetOf(hills);
-    const Surface above = sheetOf([](double x, double z) { return 0.5 + hills(x, z); });
+    GroundMesh two = sheetOf(hills);
+    const GroundMesh above = sheetOf([](double x, double z) { return 0.5 + hills(x, z); });
     two.triangles.insert(two.triangles.end(), above.triangles.begin(), above.triangles.end());
     EXPECT_FALSE(two.relief());
 
-    Surface lifted = sheetOf(hills);
+    GroundMesh lifted = sheetOf(hills);
     for (std::size_t i = 90; i < 92; ++i)
         for (Vec3& point : lifted.triangles[i])
             point = rounded(point + Vec3(0.0, 0.4, 0.0));
     EXPECT_FALSE(lifted.relief());
 
-    Surface crowned = sheetOf(hills);
+    GroundMesh crowned = sheetOf(hills);
     crowned.addQuad({0, 0, 0}, {0, 1, 0}, {0, 1, 0.1}, {0, 0, 0.1});
     EXPECT_FALSE(crowned.relief());
 }
 
 TEST(Relief, HasNoHoles) {
-    Surface holed = sheetOf(hills);
+    GroundMesh holed = sheetOf(hills);
     holed.triangles.erase(holed.triangles.begin() + 90);
     EXPECT_FALSE(holed.relief());
-    Surface cracked = sheetOf(hills);
+    GroundMesh cracked = sheetOf(hills);
     cracked.triangles[90][0].y() += 0.01;
     EXPECT_FALSE(cracked.relief());
 }
 
 TEST(Relief, HasNoWallsAboveItsBorder) {
     // A tray: its walls are in the sides of its box, face outward, and are higher than its ground.
-    Surface tray = sheetOf([](double, double) { return 0.0; });
+    GroundMesh tray = sheetOf([](double, double) { return 0.0; });
     tray.addQuad({1, 0, -1}, {1, 0.5, -1}, {1, 0.5, 1}, {1, 0, 1});
     tray.addQuad({-1, 0, 1}, {-1, 0.5, 1}, {-1, 0.5, -1}, {-1, 0, -1});
     EXPECT_GT(tray.normal(tray.triangles.size() - 3).x(), 0.9);
     EXPECT_LT(tray.normal(tray.triangles.size() - 1).x(), -0.9);
     EXPECT_FALSE(tray.relief());
     // A block whose wall on one side goes on upwards, and one where the walls face inward.
-    Surface walled = blockOf(hills, -0.5);
+    GroundMesh walled = blockOf(hills, -0.5);
     walled.addQuad({1, hills(1, -1), -1}, {1, 0.5, -1}, {1, 0.5, 1}, {1, hills(1, 1), 1});
     EXPECT_GT(walled.normal(walled.triangles.size() - 1).x(), 0.9);
     EXPECT_FALSE(walled.relief());
-    Surface inward = sheetOf([](double, double) { return 0.0; });
+    GroundMesh inward = sheetOf([](double, double) { return 0.0; });
     inward.addQuad({1, 0, 1}, {1, 0.5, 1}, {1, 0.5, -1}, {1, 0, -1});
     EXPECT_FALSE(inward.relief());
 }
 
 TEST(Relief, IsNoWindingStair) {
     // All of it faces up, and it lies over itself.
-    Surface stair;
+    GroundMesh stair;
     constexpr int Steps = 60;
     const auto at = [](int step, double radius) {
         const double angle = 0.2 * step;
@@ -241,9 +241,9 @@ TEST(Relief, IsNoWindingStair) {
 }
 
 TEST(Relief, IsNothingWithoutExtent) {
-    EXPECT_FALSE(Surface().relief());
+    EXPECT_FALSE(GroundMesh().relief());
     EXPECT_FALSE(sheetOf([](double, double) { return 0.0; }).relief()); // flat: known as such
-    Surface broken = sheetOf(hills);
+    GroundMesh broken = sheetOf(hills);
     broken.triangles[3][1].x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(broken.relief());
 }
@@ -251,7 +251,7 @@ TEST(Relief, IsNothingWithoutExtent) {
 namespace {
 
 /// Hills without order, as a sheet or as a block.
-Surface anyHills(std::uint32_t seed, std::mt19937& engine, double most) {
+GroundMesh anyHills(std::uint32_t seed, std::mt19937& engine, double most) {
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(engine);
     };
@@ -293,7 +293,7 @@ RC_GTEST_PROP(Relief, ShadowsNothingOfItselfUnderLightsAboveItsSlopes, (std::uin
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(engine);
     };
-    const Surface surface = anyHills(seed, engine, 0.25);
+    const GroundMesh surface = anyHills(seed, engine, 0.25);
     const auto relief = surface.relief();
     RC_PRE(relief.has_value());
     int lit = 0;
@@ -315,7 +315,7 @@ RC_GTEST_PROP(Relief, ShadowsItselfWithCellsThatFaceAwayAlone, (std::uint32_t se
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(engine);
     };
-    const Surface surface = anyHills(seed, engine, 0.4);
+    const GroundMesh surface = anyHills(seed, engine, 0.4);
     const auto relief = surface.relief();
     RC_PRE(relief.has_value());
     int shadowed = 0;
