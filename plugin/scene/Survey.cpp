@@ -173,10 +173,8 @@ bool Survey::addParts(const Ogre::MovableObject& object, const Aabb& box) {
     const Transform3 wsFromMesh =
         relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin);
     if (!wsFromMesh.matrix().allFinite()) return false;
-    const Mat3 reach = wsFromMesh.linear().cwiseAbs();
     for (const Eigen::AlignedBox3f& bounds : parts->bounds) {
-        const Eigen::AlignedBox3d part = bounds.cast<double>();
-        const Aabb placed{wsFromMesh * part.center(), reach * (part.sizes() / 2.0)};
+        const Aabb placed = boundsOf(bounds, wsFromMesh);
         if (mView.classify(placed) == ConvexVolume::Side::Outside) continue;
         const std::size_t before = mReceivers.size();
         mReceivers.add(placed);

@@ -10,12 +10,6 @@ namespace {
 /// degrees. Turned by 1e-4 rad, it gains or loses a thousandth of itself.
 constexpr double GoneSine = 0.1;
 
-/// Adds a box of a body's space.
-void addPlaced(const Transform3& wsFromBody, const Vec3& centre, const Vec3& halfExtents,
-               BoxSet& boxes) {
-    boxes.add({wsFromBody * centre, wsFromBody.linear().cwiseAbs() * halfExtents});
-}
-
 /// Adds what may face the light of the two sides across an axis.
 /// @param light in the body's space, homogeneous
 /// @param top outward normal of the side that is left out; zero for none
@@ -27,15 +21,15 @@ void addSides(const PlacedBox& around, const Vec4& light, Eigen::Index axis, con
     for (const double side : {-1.0, 1.0}) {
         if (side * top[axis] > 0.0) continue;
         const double height = side * towards[axis] - light.w() * half[axis];
-        // Negated, so that NaN keeps all of it.
         const double left = std::clamp(1.0 + height / (GoneSine * towards.norm()), 0.0, 1.0);
         if (left == 0.0) continue;
         Vec3 middle = centre;
         middle[axis] += side * half[axis];
         Vec3 reach = half;
         reach[axis] = 0.0;
+        // Negated, so that a NaN keeps all of it.
         if (!(left < 1.0)) {
-            addPlaced(around.wsFromBody, middle, reach, boxes);
+            boxes.add(boundsOf({{middle, reach}, around.wsFromBody}));
             continue;
         }
         // A strip along each edge that it shares with a side that faces the light.
@@ -45,7 +39,7 @@ void addSides(const PlacedBox& around, const Vec4& light, Eigen::Index axis, con
             stripReach[across] *= left;
             stripMiddle[across] +=
                 std::copysign(half[across] - stripReach[across], towards[across]);
-            addPlaced(around.wsFromBody, stripMiddle, stripReach, boxes);
+            boxes.add(boundsOf({{stripMiddle, stripReach}, around.wsFromBody}));
         }
     }
 }
@@ -61,10 +55,8 @@ bool findLitSurface(const SelfShadowFree& body, const LightImage& image, BoxSet&
     const Vec4 light = around.wsFromBody.inverse(Eigen::Affine) * image.wsLight();
     if (!light.allFinite()) return false;
     if (isRelief) {
-        for (const ReliefCell& cell : body.relief->cells) {
-            const Eigen::AlignedBox3d bounds = cell.bounds.cast<double>();
-            addPlaced(around.wsFromBody, bounds.center(), bounds.sizes() / 2.0, boxes);
-        }
+        for (const ReliefCell& cell : body.relief->cells)
+            boxes.add(boundsOf(cell.bounds, around.wsFromBody));
     }
     for (Eigen::Index axis = 0; axis < 3; ++axis)
         addSides(around, light, axis, isRelief ? body.relief->axis : Vec3(Vec3::Zero()), boxes);

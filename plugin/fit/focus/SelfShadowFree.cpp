@@ -27,12 +27,8 @@ bool SelfShadowFreeBodies::addSlopes(const SelfShadowFree& body, const LightImag
     const std::size_t first = mSlopes.size();
     const auto most =
         static_cast<std::size_t>(MostSlopes * static_cast<double>(relief.cells.size()));
-    const Mat3 reach = wsFromBody.linear().cwiseAbs();
-    for (const ReliefCell& cell : relief.cells) {
-        if (relief.isLit(cell, light)) continue;
-        const Eigen::AlignedBox3d bounds = cell.bounds.cast<double>();
-        mSlopes.push_back({wsFromBody * bounds.center(), reach * (bounds.sizes() / 2.0)});
-    }
+    for (const ReliefCell& cell : relief.cells)
+        if (!relief.isLit(cell, light)) mSlopes.push_back(boundsOf(cell.bounds, wsFromBody));
     const bool isWorthIt = !relief.cells.empty() && mSlopes.size() - first <= most;
     if (!isWorthIt) mSlopes.resize(first);
     return isWorthIt;

@@ -68,6 +68,17 @@ struct PlacedBox {
     Transform3 wsFromBody = Transform3::Identity();
 };
 
+/// The box around a box that is placed in the world.
+inline Aabb boundsOf(const PlacedBox& placed) {
+    return {placed.wsFromBody * placed.box.centre,
+            placed.wsFromBody.linear().cwiseAbs() * placed.box.halfExtents};
+}
+/// The same of bounds that are kept in single precision.
+inline Aabb boundsOf(const Eigen::AlignedBox3f& bounds, const Transform3& wsFromBody) {
+    const Eigen::AlignedBox3d box = bounds.cast<double>();
+    return boundsOf({{box.center(), box.sizes() / 2.0}, wsFromBody});
+}
+
 /// A body that shadows nothing of its own surface that faces the light.
 struct SelfShadowFree {
     /// Around the body.
