@@ -33,6 +33,7 @@ void findFocusRegion(const ShadowProblem& problem, const LightImage& image, Focu
         visible.addClipped(everything);
         region.reason = FitReason::UnboundedBody;
     }
+    visible.addLeaving();
     if (visible.hull().hull().empty()) return stop(FitReason::NoReceivers);
     region.lsReceiverNear = visible.lsRange().x();
     region.lsReceiverFar = visible.lsRange().y();

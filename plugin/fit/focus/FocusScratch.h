@@ -1,11 +1,20 @@
 #pragma once
 
 #include "fit/focus/ImageHull.h"
+#include "fit/focus/LitSurface.h"
 #include "fit/focus/SelfShadowFree.h"
 #include "fit/focus/SharedEdges.h"
 #include "fit/geometry/BoxSet.h"
 
 namespace Lixel {
+
+/// A visible point of a side that has just turned away from the light.
+struct LeavingPoint {
+    Vec2 liPoint;
+    double lsDepth; ///< distance along the light
+    double vsDepth; ///< depth in front of the viewer
+    double left;    ///< @see LitSurface
+};
 
 /// Scratch memory of focusing, kept between frames: nobody else reads it.
 struct FocusScratch {
@@ -14,9 +23,11 @@ struct FocusScratch {
     SelfShadowFreeBodies selfShadowFree;
     /// The receivers that may be behind one of those.
     BoxSet behind;
-    /// What may face the light of a receiver.
-    BoxSet litSurface;
+    /// Of a receiver.
+    LitSurface litSurface;
     BoxSet litSurfaceInView;
+    /// What is in view of receivers' sides that have just turned away from the light.
+    std::vector<LeavingPoint> leaving;
     /// What is left of receivers or casters after the first questions.
     BoxSet afterFirstPlanes;
     /// Half spaces that boxes are asked about.

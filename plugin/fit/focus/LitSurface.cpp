@@ -1,65 +1,54 @@
 #include "fit/focus/LitSurface.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace Lixel {
 namespace {
 
 /// Sine of the angle by which a side has turned away from the light when nothing is left of it: 6
-/// degrees. Turned by 1e-4 rad, it gains or loses a thousandth of itself.
+/// degrees. Turned by 1e-4 rad, it loses a thousandth of itself.
 constexpr double GoneSine = 0.1;
 
-/// Adds what may face the light of the two sides across an axis.
+/// How much is left of a side of a body's box.
+/// @param outward its normal, along an axis
 /// @param light in the body's space, homogeneous
-/// @param top outward normal of the side that is left out; zero for none
-void addSides(const PlacedBox& around, const Vec4& light, Eigen::Index axis, const Vec3& top,
-              BoxSet& boxes) {
-    const Vec3& centre = around.box.centre;
-    const Vec3& half = around.box.halfExtents;
-    const Vec3 towards = light.head<3>() - light.w() * centre;
-    for (const double side : {-1.0, 1.0}) {
-        if (side * top[axis] > 0.0) continue;
-        const double height = side * towards[axis] - light.w() * half[axis];
-        const double left = std::clamp(1.0 + height / (GoneSine * towards.norm()), 0.0, 1.0);
-        if (left == 0.0) continue;
-        Vec3 middle = centre;
-        middle[axis] += side * half[axis];
-        Vec3 reach = half;
-        reach[axis] = 0.0;
-        // Negated, so that a NaN keeps all of it.
-        if (!(left < 1.0)) {
-            boxes.add(boundsOf({{middle, reach}, around.wsFromBody}));
-            continue;
-        }
-        // A strip along each edge that it shares with a side that faces the light.
-        for (const Eigen::Index across : {(axis + 1) % 3, (axis + 2) % 3}) {
-            Vec3 stripMiddle = middle;
-            Vec3 stripReach = reach;
-            stripReach[across] *= left;
-            stripMiddle[across] +=
-                std::copysign(half[across] - stripReach[across], towards[across]);
-            boxes.add(boundsOf({{stripMiddle, stripReach}, around.wsFromBody}));
-        }
-    }
+double leftOf(const Aabb& box, const Vec3& outward, const Vec4& light) {
+    const Vec3 towards = light.head<3>() - light.w() * box.centre;
+    const double height =
+        outward.dot(towards) - light.w() * outward.cwiseAbs().dot(box.halfExtents);
+    return 1.0 + std::min(height / (GoneSine * towards.norm()), 0.0);
 }
 
 } // namespace
 
-bool findLitSurface(const SelfShadowFree& body, const LightImage& image, BoxSet& boxes) {
+bool LitSurface::find(const SelfShadowFree& body, const LightImage& image) {
     boxes.clear();
-    const PlacedBox& around = body.around;
+    leavingCount = 0;
+    const auto& [box, wsFromBody] = body.around;
     const bool isRelief = body.relief != nullptr && !body.relief->cells.empty();
-    if (!(isRelief || body.isBox) || !(around.box.halfExtents.minCoeff() > 0.0)) return false;
-    if (!around.wsFromBody.matrix().allFinite()) return false;
-    const Vec4 light = around.wsFromBody.inverse(Eigen::Affine) * image.wsLight();
+    if (!(isRelief || body.isBox) || !(box.halfExtents.minCoeff() > 0.0)) return false;
+    if (!wsFromBody.matrix().allFinite()) return false;
+    const Vec4 light = wsFromBody.inverse(Eigen::Affine) * image.wsLight();
     if (!light.allFinite()) return false;
-    if (isRelief) {
+    if (isRelief)
         for (const ReliefCell& cell : body.relief->cells)
-            boxes.add(boundsOf(cell.bounds, around.wsFromBody));
+            boxes.add(boundsOf(cell.bounds, wsFromBody));
+    for (int i = 0; i < 6; ++i) {
+        const Vec3 outward = (i % 2 != 0 ? 1.0 : -1.0) * Vec3::Unit(i / 2);
+        // The cells are its top.
+        if (isRelief && outward.dot(body.relief->axis) > 0.0) continue;
+        const double left = leftOf(box, outward, light);
+        if (left <= 0.0) continue;
+        Aabb side = box;
+        side.centre += outward.cwiseProduct(box.halfExtents);
+        side.halfExtents[i / 2] = 0.0;
+        const Aabb placed = boundsOf({side, wsFromBody});
+        // A NaN keeps all of it.
+        if (left < 1.0)
+            leaving[leavingCount++] = {placed, left};
+        else
+            boxes.add(placed);
     }
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-        addSides(around, light, axis, isRelief ? body.relief->axis : Vec3(Vec3::Zero()), boxes);
     return boxes.invalid() == 0 && boxes.unbounded() == 0;
 }
 

@@ -2,21 +2,35 @@
 
 #include "fit/focus/LightImage.h"
 #include "fit/geometry/BodyHull.h"
+#include "fit/geometry/BoxSet.h"
+
+#include <array>
 
 namespace Lixel {
 
-/** Boxes around those parts of a body's surface that may face the light, where they are known.
+/** Those parts of a body's surface that may face the light, as boxes in the problem's space.
 
     What faces away from it (n . l <= 0) is dark without a map, whoever casts a shadow there, as
     long as the body says that it is shaded so (BodyShapes::isSelfShadowFree). Of a block of ground
     that is its underside, and the walls on its far sides: a map for the whole block would hold all
     light rays that go through the air over its valleys, or through the soil below.
-
-    A side that turns away from the light does not go at once: what is left of it shrinks towards
-    the edges that it shares with sides that face the light.
-    @param[out] boxes is emptied first; in the problem's space
-    @return false where no more is known than what the body says of its hull
 */
-bool findLitSurface(const SelfShadowFree& body, const LightImage& image, BoxSet& boxes);
+struct LitSurface {
+    /// Around all that may face the light.
+    BoxSet boxes;
+
+    /// A side that has just turned away. It is better left out little by little.
+    struct Leaving {
+        Aabb side;
+        /// How much of it is left, between 0 and 1.
+        double left = 0.0;
+    };
+    std::array<Leaving, 6> leaving;
+    std::size_t leavingCount = 0;
+
+    /** Finds that of a box or a relief with cells.
+        @return false of other bodies: no more is known than what they say of their hulls */
+    bool find(const SelfShadowFree& body, const LightImage& image);
+};
 
 } // namespace Lixel

@@ -37,6 +37,7 @@ VisibleReceivers::VisibleReceivers(const ShadowProblem& problem, const LightImag
     mSeen.add(view.planes());
     if (problem.part != nullptr) mSeen.add(problem.part->bounds());
     scratch.receivers.reset(image);
+    scratch.leaving.clear();
 }
 
 void VisibleReceivers::addAll(const BoxSet& receivers) {
@@ -75,16 +76,44 @@ bool VisibleReceivers::addLitSurface(const Aabb& box, std::size_t index) {
     if (mProblem.receiverShapes == nullptr || !(box.halfExtents.sum() >= mLarge)) return false;
     SelfShadowFree known;
     if (!mProblem.receiverShapes->isSelfShadowFree(index, known) ||
-        !findLitSurface(known, mImage, mScratch.litSurface))
+        !mScratch.litSurface.find(known, mImage))
         return false;
     BoxSet& inView = mScratch.litSurfaceInView;
-    keepReaching(mScratch.litSurface, mSeen.planes(), mScratch.afterFirstPlanes, inView);
+    keepReaching(mScratch.litSurface.boxes, mSeen.planes(), mScratch.afterFirstPlanes, inView);
     mScratch.wsPoints.clear();
     for (const Aabb& part : inView.boxes())
         clipBox(part, mSeen, mScratch.clip, mScratch.wsPoints);
     // All at once: a hull of many points is found sooner than it grows by them.
     addPoints();
+    const LitSurface& surface = mScratch.litSurface;
+    for (const auto& [side, left] : std::span(surface.leaving).first(surface.leavingCount)) {
+        mScratch.wsPoints.clear();
+        clipBox(side, mSeen, mScratch.clip, mScratch.wsPoints);
+        forClipped(mProblem, mImage, mScratch, [&, left = left](const Vec3& ws, const Vec3& ls) {
+            mScratch.leaving.push_back({mImage.project(ls), -ls.z(), mVsDepth.at(ws), left});
+        });
+    }
     return true;
+}
+
+void VisibleReceivers::addLeaving() {
+    if (mScratch.leaving.empty() || hull().hull().empty()) return;
+    const Vec2 liCentre = steinerPoint(hull().hull());
+    const auto drawnIn = [](const Vec2& range, double value, double left) {
+        const double nearest = std::clamp(value, range.x(), range.y());
+        return nearest + left * (value - nearest);
+    };
+    const Vec2 lsRange = mLsRange;
+    const Vec2 vsRange = mVsRange;
+    mScratch.points.clear();
+    for (const LeavingPoint& point : mScratch.leaving) {
+        mScratch.points.push_back(liCentre + point.left * (point.liPoint - liCentre));
+        const double ls = drawnIn(lsRange, point.lsDepth, point.left);
+        include(mLsRange, ls, ls);
+        const double vs = drawnIn(vsRange, point.vsDepth, point.left);
+        include(mVsRange, vs, vs);
+    }
+    mScratch.receivers.add(mScratch.points);
 }
 
 void VisibleReceivers::addClipped(const Aabb& box) {

@@ -18,6 +18,9 @@ public:
     void addAll(const BoxSet& receivers);
     /// Adds what is visible of a box that is no body of the problem's.
     void addClipped(const Aabb& box);
+    /// Call once all are added: adds what is left of sides that have just turned away from the
+    /// light. They are drawn in towards what else is visible, so that it goes little by little.
+    void addLeaving();
 
     /// Hull of what was added, in the light image.
     const ImageHull& hull() const { return mScratch.receivers; }

@@ -286,6 +286,28 @@ TEST_P(Steadiness, OfASpotOutdoors) {
     });
 }
 
+TEST_P(Steadiness, OfTheSunThatPassesAWall) {
+    // The wall of a block on the viewer's left, whose other sides are out of view, turns away from
+    // the light, with a post before it, and a ground under both, which is nearer to the viewer.
+    Scene scene;
+    scene.size = 10.0;
+    scene.viewer.viewFromWorld = lookAlong(Vec3::Zero(), Vec3(-0.5, -0.8, -1.0));
+    scene.viewer.clipFromView = perspective(50.0 * Degree, 16.0 / 9.0, 0.1, 500.0);
+    scene.viewer.shadowDistance = 25.0;
+    scene.addBody({Vec3(-23.0, 10.0, -10.0), Vec3(20.0, 14.0, 30.0)});
+    scene.setConvex(0, 0, std::nullopt, true);
+    scene.receivers.add({Vec3(0.0, -2.0, 0.0), Vec3(60.0, 0.0, 60.0)});
+    scene.casters.add({Vec3(-1.5, 1.0, -6.0), Vec3(0.2, 3.0, 0.2)});
+    scene.addBody({Vec3(1.0, -1.5, -9.0), Vec3(0.6, 0.5, 0.6)});
+    constexpr int Steps = 4000;
+    expectSteadyPath(GetParam(), Steps, [&](int i) {
+        Scene now = scene;
+        const double azimuth = (i - Steps / 2) * Step;
+        now.light.wsDirection = Vec3(std::sin(azimuth), -0.5, -std::cos(azimuth));
+        return now;
+    });
+}
+
 TEST_P(Steadiness, ThroughTheMinersLamp) {
     // The light turns from one side of the view to the other, through its very direction.
     const Scene scene = outdoors();
