@@ -29,8 +29,8 @@ struct BodyHull {
     /// Whether all points lie in one plane, across one of the faces' normals, as exactly as floats
     /// can tell.
     bool flat = false;
-    /// Whether there is a point in each corner of their box, as exactly as floats can tell. A convex
-    /// body of these points is the box itself.
+    /// Whether there is a point in each corner of their box, as exactly as floats can tell. A
+    /// convex body of these points is the box itself.
     bool hasCorners = false;
 
     bool empty() const { return vertices.empty(); }
@@ -108,10 +108,12 @@ public:
 
         No light ray meets such a body twice on sides that face the light. So whatever it shadows of
         itself faces away from the light (n . l <= 0), and is dark without a map, whoever else
-        shadows it: where it is known which sides of a body these are, maps leave them out. Materials
-        must shade it so, by the normals of its surface. A sheet that is lit on the side that the
-        viewer does not see is dark in the same way, whether or not both its sides are drawn.
-        @param[out] body where the answer is true: a box around it, whether it is that box, and its relief */
+        shadows it: where it is known which sides of a body these are, maps leave them out.
+        Materials must shade it so, by the normals of its surface. A sheet that is lit on the side
+        that the viewer does not see is dark in the same way, whether or not both its sides are
+        drawn.
+        @param[out] body where the answer is true: a box around it, whether it is that box, and its
+        relief */
     virtual bool isSelfShadowFree(std::size_t /*index*/, SelfShadowFree& /*body*/) const noexcept {
         return false;
     }
