@@ -265,10 +265,6 @@ const void* ObjectShapes::identityOf(std::size_t index) const noexcept {
     return std::ranges::upper_bound(mPartRuns, index, {}, &PartRun::end)->whole;
 }
 
-bool ObjectShapes::isInParts(const void* identity) const noexcept {
-    return std::ranges::find(mPartRuns, identity, &PartRun::whole) != mPartRuns.end();
-}
-
 bool ObjectShapes::isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept {
     if (index >= mObjects.size()) return false;
     const auto* const entity = dynamic_cast<const Ogre::Entity*>(mObjects[index]);

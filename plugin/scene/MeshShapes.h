@@ -169,7 +169,6 @@ public:
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
     /// The object, of parts too.
     const void* identityOf(std::size_t index) const noexcept override;
-    bool isInParts(const void* identity) const noexcept override;
     bool isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept override;
 
 private:

@@ -173,6 +173,14 @@ bool Survey::addParts(const Ogre::MovableObject& object, const Aabb& box) {
     const Transform3 wsFromMesh =
         relativeTransform(entity->_getParentNodeFullTransform(), mWsOrigin);
     if (!wsFromMesh.matrix().allFinite()) return false;
+    SelfShadowFree known;
+    if (mMeshes.isSelfShadowFree(*entity, known)) {
+        // Its sides and slopes are known: view rays meet its surface, and it is one receiver.
+        mReceivers.add(box);
+        mReceiverShapes.add(object);
+        mSurfacesOfParts.push_back({0, parts->cloud, wsFromMesh});
+        return true;
+    }
     for (const Eigen::AlignedBox3f& bounds : parts->bounds) {
         const Aabb placed = boundsOf(bounds, wsFromMesh);
         if (mView.classify(placed) == ConvexVolume::Side::Outside) continue;

@@ -218,11 +218,6 @@ const void* TurnedBoxes::identityOf(std::size_t index) const noexcept {
     return reinterpret_cast<const void*>(numberOf(index));
 }
 
-bool TurnedBoxes::isInParts(const void* identity) const noexcept {
-    const auto number = reinterpret_cast<std::uintptr_t>(identity);
-    return number != 0 && std::ranges::count(convex, number, &ConvexBox::number) > 1;
-}
-
 bool TurnedBoxes::isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept {
     const auto found = std::ranges::find(convex, index, &ConvexBox::index);
     if (found == convex.end()) return false;

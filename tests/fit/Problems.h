@@ -64,7 +64,6 @@ struct TurnedBoxes final : BodyShapes {
     void clear();
     const BodyHull* hullOf(std::size_t index, Transform3& wsFromBody) const noexcept override;
     const void* identityOf(std::size_t index) const noexcept override;
-    bool isInParts(const void* identity) const noexcept override;
     bool isSelfShadowFree(std::size_t index, SelfShadowFree& body) const noexcept override;
 };
 

@@ -53,9 +53,7 @@ void SelfShadowFreeBodies::find(const ShadowProblem& problem, const LightImage& 
         body.identity = problem.casterShapes->identityOf(body.caster);
         if (body.identity == nullptr) continue;
         const auto end = identities.begin() + static_cast<std::ptrdiff_t>(count);
-        if (std::find(identities.begin(), end, body.identity) == end &&
-            !problem.receiverShapes->isInParts(body.identity))
-            continue;
+        if (std::find(identities.begin(), end, body.identity) == end) continue;
         SelfShadowFree known;
         if (!problem.casterShapes->isSelfShadowFree(body.caster, known) || !addSlopes(known, image))
             continue;

@@ -99,8 +99,6 @@ public:
     /// What tells the body from all others, among casters as among receivers; null where nothing
     /// does.
     virtual const void* identityOf(std::size_t /*index*/) const noexcept { return nullptr; }
-    /// Whether the set has a body as boxes of its parts, which all have its identity.
-    virtual bool isInParts(const void* /*identity*/) const noexcept { return false; }
 
     /** Whether the body is known to shadow nothing of itself that faces the light: a flat sheet or
         the closed surface of a convex body. A relief is one too, and may shadow itself behind

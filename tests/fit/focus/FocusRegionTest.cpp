@@ -317,26 +317,6 @@ TEST(FocusRegion, HoldsNothingOfAConvexGroundAlone) {
     EXPECT_EQ(regionOf(noonOnConvexGround(false)).reason, FitReason::None);
 }
 
-TEST(FocusRegion, HoldsNothingOfAConvexGroundInParts) {
-    Scene scene = noonOnConvexGround();
-    const Aabb ground = scene.receivers.box(0);
-    const ConvexBox whole = scene.turnedReceivers.convex.front();
-    scene.receivers.clear();
-    scene.turnedReceivers.convex.clear();
-    for (const double side : {-1.0, 1.0}) {
-        Aabb part = ground;
-        part.halfExtents.x() /= 2.0;
-        part.centre.x() += side * part.halfExtents.x();
-        scene.turnedReceivers.convex.push_back(
-            {scene.receivers.size(), whole.number, whole.around});
-        scene.receivers.add(part);
-    }
-    EXPECT_EQ(regionOf(scene).reason, FitReason::NothingShadowed);
-    // Those that are not of it are shadowed.
-    scene.turnedReceivers.convex.pop_back();
-    EXPECT_EQ(regionOf(scene).reason, FitReason::None);
-}
-
 TEST(FocusRegion, IsUnderALightAboveItsSlopesAlone) {
     for (const double steepness : {0.5, 0.999}) {
         Scene scene = noonOnConvexGround();
