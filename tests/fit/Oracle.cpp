@@ -28,16 +28,17 @@ struct Bodies {
                         back * direction);
     }
 
-    /// Where a relief's surface may be on a ray.
-    std::vector<Interval> meetCells(std::size_t index, const Vec3& origin,
-                                    const Vec3& direction) const {
-        std::vector<Interval> hits;
-        for (const auto& [box, wsFromBody] : turned.cellsOf(index)) {
-            const Transform3 bodyFromWs = wsFromBody.inverse();
-            const auto hit = rayInBox(box, bodyFromWs * origin, bodyFromWs.linear() * direction);
-            if (hit) hits.push_back(*hit);
-        }
-        return hits;
+    /// Calls `visit` for each part of a ray on which a relief's surface may be.
+    template <typename Visit>
+    void meetCells(std::size_t index, const Vec3& origin, const Vec3& direction,
+                   const Visit& visit) const {
+        const ConvexBox* const body = turned.findRelief(index);
+        if (body == nullptr) return;
+        const Transform3 bodyFromWs = body->around.wsFromBody.inverse();
+        const Vec3 from = bodyFromWs * origin;
+        const Vec3 along = bodyFromWs.linear() * direction;
+        for (const ReliefCell& cell : body->relief->cells)
+            if (const auto hit = rayInBox(boxOf(cell), from, along)) visit(*hit);
     }
 
     /// The point of a body that is at `at` in the cube -1 to 1.
@@ -81,8 +82,8 @@ void appendHits(const Bodies& receivers, const Vec3& origin, const Vec3& directi
             append(i, hit->begin);
             append(i, hit->end);
         }
-        for (const Interval& hit : receivers.meetCells(i, origin, direction))
-            append(i, (hit.begin + hit.end) / 2.0);
+        receivers.meetCells(i, origin, direction,
+                            [&](const Interval& hit) { append(i, (hit.begin + hit.end) / 2.0); });
     }
 }
 

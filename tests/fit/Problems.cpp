@@ -151,6 +151,11 @@ const BodyHull* TurnedBoxes::hullOf(std::size_t index, Transform3& wsFromBody) c
     return &body->hull;
 }
 
+Aabb boxOf(const ReliefCell& cell) {
+    const Eigen::AlignedBox3d bounds = cell.bounds.cast<double>();
+    return {bounds.center(), bounds.sizes() / 2.0};
+}
+
 std::uintptr_t TurnedBoxes::numberOf(std::size_t index) const noexcept {
     const auto found = std::ranges::find(convex, index, &ConvexBox::index);
     return found != convex.end() ? found->number : 0;
@@ -173,21 +178,17 @@ bool TurnedBoxes::mayBeLit(std::size_t index, const ShadowLight& light, const Ve
                                                                   : Vec3(light.wsPosition - ws);
         if (!isTop && (wsFromBody.linear() * outward).dot(towards) > 0.0) return true;
     }
-    return std::ranges::any_of(cellsOf(index), [&](const PlacedBox& cell) {
-        const Vec3 offset = cell.wsFromBody.inverse() * ws - cell.box.centre;
-        return (offset.cwiseAbs().array() <= cell.box.halfExtents.array()).all();
-    });
+    return isRelief && std::ranges::any_of(found->relief->cells, [&](const ReliefCell& cell) {
+               const Aabb bounds = boxOf(cell);
+               const Vec3 offset = wsFromBody.inverse() * ws - bounds.centre;
+               return (offset.cwiseAbs().array() <= bounds.halfExtents.array()).all();
+           });
 }
 
-std::vector<PlacedBox> TurnedBoxes::cellsOf(std::size_t index) const {
-    std::vector<PlacedBox> cells;
+const ConvexBox* TurnedBoxes::findRelief(std::size_t index) const {
     const auto found = std::ranges::find(convex, index, &ConvexBox::index);
-    if (found == convex.end() || !found->relief) return cells;
-    for (const ReliefCell& cell : found->relief->cells)
-        cells.push_back(
-            {{cell.bounds.center().cast<double>(), cell.bounds.sizes().cast<double>() / 2.0},
-             found->around.wsFromBody});
-    return cells;
+    if (found == convex.end() || !found->relief || found->relief->cells.empty()) return nullptr;
+    return &*found;
 }
 
 std::vector<PlacedBox> TurnedBoxes::slopesOf(std::size_t index, const ShadowLight& light) const {
@@ -202,10 +203,7 @@ std::vector<PlacedBox> TurnedBoxes::slopesOf(std::size_t index, const ShadowLigh
     towards = wsFromBody.inverse() * towards;
     if (isSun && relief.isBelow(towards.head<3>())) return slopes;
     for (const ReliefCell& cell : relief.cells)
-        if (!relief.isLit(cell, towards))
-            slopes.push_back(
-                {{cell.bounds.center().cast<double>(), cell.bounds.sizes().cast<double>() / 2.0},
-                 wsFromBody});
+        if (!relief.isLit(cell, towards)) slopes.push_back({boxOf(cell), wsFromBody});
     return slopes;
 }
 

@@ -46,6 +46,9 @@ struct ConvexBox {
     bool isBox = false;
 };
 
+/// Around a part of a relief, in its own space.
+Aabb boxOf(const ReliefCell& cell);
+
 /// Those of a set's bodies that are turned boxes, by ascending index, and that are convex.
 struct TurnedBoxes final : BodyShapes {
     std::vector<TurnedBox> all;
@@ -57,8 +60,8 @@ struct TurnedBoxes final : BodyShapes {
     /// Whether what a body says of itself leaves a point of it for light to fall on: nothing else
     /// of it needs a shadow.
     bool mayBeLit(std::size_t index, const ShadowLight& light, const Vec3& ws) const;
-    /// The boxes of a relief's surface, and where it is.
-    std::vector<PlacedBox> cellsOf(std::size_t index) const;
+    /// A relief with cells; null of other bodies.
+    const ConvexBox* findRelief(std::size_t index) const;
     /// Boxes around what a relief may shadow of itself with.
     std::vector<PlacedBox> slopesOf(std::size_t index, const ShadowLight& light) const;
     void clear();
