@@ -136,19 +136,23 @@ void Survey::visitKnown(const NodeWalk::Object& found) {
 void Survey::addReceiver(const Ogre::MovableObject& object, const Aabb& box) {
     mLower = mLower.cwiseMin(box.centre - box.halfExtents);
     mUpper = mUpper.cwiseMax(box.centre + box.halfExtents);
-    if (mMostParts > 0 && addParts(object, box)) return mReceiverObjects.push_back(&object);
+    if (mMostParts > 0 && addParts(object, box)) return;
     const std::size_t index = mReceivers.size();
+    if (mMostParts > 0) mWholes.add(box);
+    if (addWhole(object, box) && needsSurface(box)) addSurface(object, index);
+}
+
+bool Survey::addWhole(const Ogre::MovableObject& object, const Aabb& box) {
+    const std::size_t before = mReceivers.size();
     const std::size_t unbounded = mReceivers.unbounded();
     mReceivers.add(box);
-    if (mMostParts > 0) mWholes.add(box);
     // A box may be finite and too large to have bounds.
     if (mReceivers.unbounded() > unbounded && mUnboundedName.empty())
         mUnboundedName = object.getName();
-    if (mReceivers.size() > index) {
-        mReceiverShapes.add(object);
-        mReceiverObjects.push_back(&object);
-        if (needsSurface(box)) addSurface(object, index);
-    }
+    if (mReceivers.size() == before) return false;
+    mReceiverShapes.add(object);
+    mReceiverObjects.push_back(&object);
+    return true;
 }
 
 void Survey::addSurface(const Ogre::MovableObject& object, std::size_t receiver) {
@@ -176,8 +180,7 @@ bool Survey::addParts(const Ogre::MovableObject& object, const Aabb& box) {
     SelfShadowFree known;
     if (mMeshes.isSelfShadowFree(*entity, known)) {
         // Its sides and slopes are known: view rays meet its surface, and it is one receiver.
-        mReceivers.add(box);
-        mReceiverShapes.add(object);
+        addWhole(object, box);
         mSurfacesOfParts.push_back({0, parts->cloud, wsFromMesh});
         return true;
     }
@@ -188,6 +191,7 @@ bool Survey::addParts(const Ogre::MovableObject& object, const Aabb& box) {
         mReceivers.add(placed);
         if (mReceivers.size() > before) mReceiverShapes.addPart(object);
     }
+    mReceiverObjects.push_back(&object);
     mSurfacesOfParts.push_back({0, parts->cloud, wsFromMesh});
     return true;
 }

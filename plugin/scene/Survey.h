@@ -95,7 +95,10 @@ private:
     void visitKnown(const NodeWalk::Object& found);
     void addReceiver(const Ogre::MovableObject& object, const Aabb& box);
     void addSurface(const Ogre::MovableObject& object, std::size_t receiver);
-    /// Adds the parts in view of an object that is known in parts. @return whether it is
+    /// Adds an object as one receiver. @return false where its box is too large to have bounds
+    bool addWhole(const Ogre::MovableObject& object, const Aabb& box);
+    /// Adds an object that is known in parts: those in view, or a ground as a whole, whose parts
+    /// are for view rays alone. @return whether it is
     bool addParts(const Ogre::MovableObject& object, const Aabb& box);
 
     SceneRules mRules;

@@ -252,6 +252,19 @@ TEST_P(MeshPartsTest, AreForViewRaysAloneOfAGround) {
     }
 }
 
+TEST_P(MeshPartsTest, AreNotOfAGroundTooLargeToHaveBounds) {
+    addHills(true);
+    mCameraNode->setPosition(3, 9, 5);
+    takeSurveyInParts();
+    ASSERT_EQ(mSurvey.receivers().size(), 1U);
+    mNode->setScale(Vector3(1e17F));
+    takeSurveyInParts();
+    EXPECT_EQ(mSurvey.receivers().unbounded(), 1U);
+    EXPECT_EQ(mSurvey.receivers().size(), 0U);
+    EXPECT_EQ(mSurvey.receiverShapes().identityOf(0), nullptr);
+    EXPECT_TRUE(mSurvey.receiverObjects().empty());
+}
+
 TEST_P(MeshPartsTest, AreHiddenByOtherBodies) {
     addHills();
     mCameraNode->setPosition(3, 12, 5);
