@@ -10,10 +10,10 @@ namespace Lixel {
 
 /** Those parts of a body's surface that may face the light, as boxes in the problem's space.
 
-    What faces away from it (n . l <= 0) is dark without a map, whoever casts a shadow there, as
-    long as the body says that it is shaded so (BodyShapes::isSelfShadowFree). Of a block of ground
-    that is its underside, and the walls on its far sides: a map for the whole block would hold all
-    light rays that go through the air over its valleys, or through the soil below.
+    What faces away from the light (n . l <= 0) is dark anyway: it needs no shadow, as long as the
+    body says that it is shaded so (BodyShapes::isSelfShadowFree). On a block of ground, the
+    underside and the walls on the far sides face away. A map for the whole block would also hold
+    the light rays through the air over its valleys and through the soil below.
 */
 struct LitSurface {
     /// Around all that may face the light.

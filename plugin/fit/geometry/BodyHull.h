@@ -105,8 +105,8 @@ public:
         slopes that face away. All are drawn from outside alone.
 
         No light ray meets such a body twice on sides that face the light. So whatever it shadows of
-        itself faces away from the light (n . l <= 0), and is dark without a map, whoever else
-        shadows it: where it is known which sides of a body these are, maps leave them out.
+        itself faces away from the light (n . l <= 0). That is dark anyway and needs no shadow,
+        from other bodies either: where it is known which sides these are, maps leave them out.
         Materials must shade it so, by the normals of its surface. A sheet that is lit on the side
         that the viewer does not see is dark in the same way, whether or not both its sides are
         drawn.
