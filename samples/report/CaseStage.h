@@ -25,7 +25,7 @@ public:
 
     /// What each pixel shows in truth.
     const ShadowTruth& truth() const { return mEmulation.truth(); }
-    /// From the maps' matrices alone.
+    /// From the maps' matrices alone. Percentages are means over TableOptions::shifts.
     ClassificationError emulate(const NamedSetup& setup);
     /// Of the fits that were emulated last: MapCapture::reason.
     std::string reason() const { return mCapture.reason(); }
@@ -38,6 +38,7 @@ private:
     int mWidth;
     int mHeight;
     int mMapSize;
+    int mShifts;
     double mReach; ///< SampleScene::shadowDistance
     Stage mStage;
     ShadowOracle mOracle;

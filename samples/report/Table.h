@@ -22,7 +22,10 @@ struct TableOptions {
     int mapSize = 1024;     ///< texels; several maps of a light share as many
     int width = 640;        ///< pixels
     int height = 480;       ///< pixels
-    std::size_t drawn = 0;  ///< of so many cases the first is drawn too; 0: none is
+    /// Emulated maps lie at so many by so many places within a texel, and errors are their means:
+    /// with more, chance says less, which is where texels happen to lie on shadows' edges.
+    int shifts = 1;
+    std::size_t drawn = 0; ///< of so many cases the first is drawn too; 0: none is
 };
 
 /// One scene, light and view under every setup of the table, emulated, and in some cases drawn.

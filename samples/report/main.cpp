@@ -50,8 +50,9 @@ struct Options {
     std::vector<std::string> kinds;
     std::vector<std::string> rows;   ///< of the table; empty for all setups
     std::optional<PictureSize> size; ///< by emulation
-    std::size_t drawn = 0;           ///< of so many cases one is drawn; 0: none is
-    std::string pictureFolder;       ///< for the worst cases; empty for no pictures
+    int shifts = 1;
+    std::size_t drawn = 0;     ///< of so many cases one is drawn; 0: none is
+    std::string pictureFolder; ///< for the worst cases; empty for no pictures
     std::string jsonFile;
     std::string motionScene;
 };
@@ -121,6 +122,7 @@ int makeTable(const Options& options) {
     table.lights = options.lights;
     table.firstView = options.firstView;
     table.drawn = options.drawn;
+    table.shifts = options.shifts;
     if (options.size) {
         table.width = options.size->width;
         table.height = options.size->height;
@@ -210,6 +212,11 @@ int main(int argc, char** argv) {
                "setups; may be given several times, and the first is what others are compared "
                "with")
             ->needs(table);
+    app.add_option("--shifts", options.shifts,
+                   "With --table: emulated maps lie at so many by so many places within a texel, "
+                   "and errors are their means: chance says less")
+        ->check(CLI::Range(1, 16))
+        ->needs(table);
     app.add_option("--drawn", options.drawn,
                    "With --table: of so many cases the first is drawn too, under all setups, and "
                    "compared both ways")

@@ -31,6 +31,16 @@ done
 for line in '^Optimal edge_weight=1 ' '^Cascades-2 edge_weight=0.5 strip_light=false '; do
     [ "$(grep -c "$line" rows)" = 4 ] || fail "no line $line: $(cat rows)"
 done
+# A mean over places within a texel: another error than that of one place, for the same pixels.
+for shifts in 1 3; do
+    "$report" --table --kind weapon --first-view --lights 1 --size 160x120 --row Optimal \
+        --shifts $shifts --json "shifts$shifts.json" >/dev/null 2>&1
+done
+if cmp -s shifts1.json shifts3.json; then fail "places within a texel change nothing"; fi
+for key in pixels_counted pixels_shadowed; do
+    [ "$(grep "$key" shifts1.json)" = "$(grep "$key" shifts3.json)" ] || fail "other $key"
+done
+if "$report" --table --shifts 0 >/dev/null 2>&1; then fail "took no place at all"; fi
 if "$report" --table --row "Optimal edge_weight=2" 2>wrong; then fail "took a bad option"; fi
 grep -q 'edge_weight' wrong || fail "does not say what is wrong: $(cat wrong)"
 if "$report" --table --row "Nothing" 2>wrong; then fail "took a setup that there is not"; fi
