@@ -1,6 +1,7 @@
 #include "fit/parts/CascadeDivision.h"
 
 #include "fit/sampling/FitExtent.h"
+#include "fit/sampling/TexelExtent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -210,7 +211,7 @@ private:
             for (const ViewSample& sample : mScratch.samples)
                 if (division.partOf(sample) == i) cost += extent(sample);
         }
-        return std::isnan(cost) ? Infinity : cost;
+        return std::isnan(cost) ? Infinity : std::pow(cost, MeanPower);
     }
 
     const Polygon2& hull() const { return mScratch.region.liHull; }

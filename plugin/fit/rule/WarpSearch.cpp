@@ -22,9 +22,9 @@ constexpr double ClearGain = 0.1;
 /// Greatest change of a denominator's logarithm in a frame: SteadyStep where nothing moves
 /// noticeably, and SteadyGrowth more per unit of change, as much as a spread of length
 /// GreatestSpread moves when it turns with the view. A texel's extent depends on four such
-/// factors, two of its own denominator and two in the map's sides: 4 (0.004 + 8 x 1e-4) is below
-/// the 0.02 that a fit may change when something turns by 1e-4 rad.
-constexpr double SteadyStep = 0.004;
+/// factors, two of its own denominator and two in the map's sides: 4 (0.003 + 8 x 1e-4) leaves a
+/// quarter of the 0.02 that a fit may change when something turns by 1e-4 rad to the focus region.
+constexpr double SteadyStep = 0.003;
 constexpr double SteadyGrowth = WarpSearch::GreatestSpread;
 
 /// Vertices of the focus region that the search keeps; the fit itself uses all.

@@ -1,5 +1,7 @@
 #include "fit/sampling/FitExtent.h"
 
+#include "fit/sampling/TexelExtent.h"
+
 #include <Eigen/LU>
 
 #include <array>
@@ -27,7 +29,8 @@ double FitExtent::operator()(const ViewSample& sample) const {
                                        point * mMapFromOriented.bottomLeftCorner<1, 2>()) /
                                       map.z();
     const Eigen::Matrix2d liFromMap = mapFromLi.inverse();
-    return std::sqrt(liFromMap.norm() * (sample.ndcFromLi * liFromMap).norm());
+    return std::pow(liFromMap.norm(), LightPower) *
+           std::pow((sample.ndcFromLi * liFromMap).norm(), PicturePower);
 }
 
 } // namespace Lixel

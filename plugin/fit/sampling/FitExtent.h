@@ -13,8 +13,8 @@ public:
     /// @param fit that has a map, for the light of `image`
     FitExtent(const ShadowFit& fit, const LightImage& image, int mapWidth, int mapHeight);
 
-    /// The geometric mean of a texel's extents in the light image and in the viewer's picture, at a
-    /// sample; not finite where the map has no place for it.
+    /// What a sample adds to the measure: its mean to the power of MeanPower is comparable with
+    /// extents. Not finite where the map has no place for the sample.
     double operator()(const ViewSample& sample) const;
 
 private:

@@ -3,6 +3,8 @@
 #include "fit/geometry/Multiversion.h"
 #include "fit/geometry/Simd.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Lixel {
@@ -118,7 +120,8 @@ void warpAll(const double* x, const double* y, std::size_t count, const Vec2& wa
 /// The sum over samples.
 LIXEL_MULTIVERSION
 double TexelExtent::sumOver(const SampleColumns& columns, std::size_t count, const Vec2& warp,
-                            const MapSides& map) {
+                            const MapSides& map, double scale) {
+    const double squaredScale = scale * scale;
     const double wu = warp.dot(map.u);
     const double wv = warp.dot(map.v);
     Four sum{};
@@ -144,10 +147,16 @@ double TexelExtent::sumOver(const SampleColumns& columns, std::size_t count, con
             const Four v = a * vx + b * vy;
             inPicture += u * u + v * v;
         }
-        Four mean = inLight * inPicture;
-        squareRoot(mean);
-        squareRoot(mean);
-        sum += mean * (1.0 + (warp.x() * x + warp.y() * y));
+        // Both are squares, less a factor D each; the fourth root of eL^3 eP^2 is wanted.
+        static_assert(LightPower == 0.75 && PicturePower == 0.5);
+        const Four denominator = 1.0 + (warp.x() * x + warp.y() * y);
+        const Four squared = denominator * denominator;
+        Four light = inLight * (squared * squaredScale);
+        squareRoot(light);
+        Four value = light * light * light * (inPicture * squared);
+        squareRoot(value);
+        squareRoot(value);
+        sum += value;
     }
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
@@ -160,11 +169,14 @@ void TexelExtent::reset(const std::vector<ViewSample>& samples, const Polygon2& 
     const std::size_t vertices = inFours(mVertices + 1) + 4;
     for (std::vector<double>* column : {&mHullX, &mHullY, &mWarpedX, &mWarpedY})
         if (column->size() < vertices) column->resize(vertices);
+    double farthest = 0.0;
     for (std::size_t i = 0; i < vertices; ++i) {
         const Vec2 q = hull.empty() ? Vec2(0.0, 0.0) : Vec2(hull[i < mVertices ? i : 0] - centre);
         mHullX[i] = q.x();
         mHullY[i] = q.y();
+        farthest = std::max(farthest, q.cwiseAbs().maxCoeff());
     }
+    mScale = farthest > 0.0 ? 1.0 / farthest : 1.0;
     // Behind the samples are some of extent zero.
     mCount = samples.size();
     const std::size_t count = inFours(mCount);
@@ -175,7 +187,7 @@ void TexelExtent::reset(const std::vector<ViewSample>& samples, const Polygon2& 
         const Vec2 q = real ? Vec2(samples[i].liPoint - centre) : Vec2(0.0, 0.0);
         mSamples.x[i] = q.x();
         mSamples.y[i] = q.y();
-        // A sample's extent goes with the square root of these numbers.
+        // What a sample adds goes with the square root of these numbers.
         const double squared = real ? samples[i].weight * samples[i].weight : 0.0;
         for (std::size_t k = 0; k < 4; ++k)
             mSamples.ndcFromLi[k][i] =
@@ -191,9 +203,12 @@ MapSides TexelExtent::warpHull(const Vec2& warp) {
     return smallestMap(mWarpedX.data(), mWarpedY.data(), padded);
 }
 
+double TexelExtent::sumOver(const Vec2& warp, const MapSides& map) const {
+    return sumOver(mSamples, inFours(mCount), warp, map, mScale);
+}
+
 double TexelExtent::operator()(const Vec2& warp) {
-    const MapSides map = warpHull(warp);
-    return sumOver(mSamples, inFours(mCount), warp, map) / static_cast<double>(mCount);
+    return std::pow(sumOver(warp, warpHull(warp)) / static_cast<double>(mCount), MeanPower);
 }
 
 TexelExtent::Extent TexelExtent::extentAlong(const Vec2& normal) const {
@@ -219,13 +234,13 @@ std::optional<MapAxes> TexelExtent::chooseAxes(const Vec2& warp,
                                                const std::optional<MapAxes>& last) {
     const MapSides rectangle = warpHull(warp);
     if (!(rectangle.u.norm() > 0.0 && rectangle.v.norm() > 0.0)) return std::nullopt;
-    const auto sumFor = [&](const MapSides& sides) {
-        return sumOver(mSamples, inFours(mCount), warp, sides);
-    };
+    const auto sumFor = [&](const MapSides& sides) { return sumOver(warp, sides); };
+    // What becomes of the sum where the measure gains.
+    const auto after = [](double gain) { return std::pow(1.0 - gain, 1.0 / MeanPower); };
     const Vec2 along = rectangle.u.stableNormalized();
     MapAxes best{{along, Vec2(-along.y(), along.x())}};
     double bestSum = sumFor(rectangle);
-    const double worthwhile = (1.0 - LeastAxesGain) * bestSum;
+    const double worthwhile = after(LeastAxesGain) * bestSum;
     const double greatestArea = GreatestAxesArea * rectangle.u.norm() * rectangle.v.norm();
     mAcross.clear();
     for (std::size_t i = 0; i < mVertices; ++i)
@@ -245,7 +260,7 @@ std::optional<MapAxes> TexelExtent::chooseAxes(const Vec2& warp,
         }
     if (!last) return best;
     const auto kept = sidesOf(extentAlong(last->normals[0]), extentAlong(last->normals[1]));
-    if (!kept || !(sumFor(*kept) * (1.0 - TurnedAxesGain) <= bestSum)) return best;
+    if (!kept || !(sumFor(*kept) * after(TurnedAxesGain) <= bestSum)) return best;
     return MapAxes{last->normals, true};
 }
 

@@ -8,6 +8,12 @@
 
 namespace Lixel {
 
+/// Of the extent of a texel in the light image and of that in the viewer's picture, in what a sample
+/// adds to the measure; and of the mean over samples, in the measure. @see TexelExtent
+inline constexpr double LightPower = 3.0 / 4.0;
+inline constexpr double PicturePower = 1.0 / 2.0;
+inline constexpr double MeanPower = 4.0 / 5.0;
+
 /// Two sides of a map's rectangle, as vectors.
 struct MapSides {
     Vec2 u = Vec2::Zero();
@@ -36,11 +42,16 @@ MapSides smallestMap(const double* x, const double* y, std::size_t count);
 
     A pixel is classified wrongly where a texel lies across a shadow's edge, so how often that
     happens is the density of edges times the extent of a texel in the same plane. Edges spread
-    evenly over the light image call for the texel's extent there, edges spread evenly over the
-    viewer's picture for its extent in pixels; scenes are in between, and this is the mean of the
-    geometric means of the two. Extents are Frobenius norms of d(plane) / d(texel): perspective and
-    projection aliasing together. Each sample counts by its weight. Values are only to be compared
-    with those of other warps.
+    evenly over the light image call for the texel's extent there, eL, edges spread evenly over the
+    viewer's picture for its extent in pixels, eP. Scenes are in between, and large texels do more
+    than their share of harm: this is the mean of degree 5/4 of eL^(3/5) eP^(2/5),
+
+        (mean of eL^(3/4) eP^(1/2))^(4/5).
+
+    Of the powers that were tried over samples of 14 kinds, maps erred least with these; with
+    sqrt(eL eP) and a plain mean 1.009 times as much. Extents are Frobenius norms of
+    d(plane) / d(texel): perspective and projection aliasing together. Each sample counts by its
+    weight. Values are only to be compared with those of other warps.
 */
 class TexelExtent {
 public:
@@ -71,8 +82,10 @@ private:
         }
     };
 
+    /// @param scale of the light image
     static double sumOver(const SampleColumns& columns, std::size_t count, const Vec2& warp,
-                          const MapSides& map);
+                          const MapSides& map, double scale);
+    double sumOver(const Vec2& warp, const MapSides& map) const;
     /// Warps the hull. @return the sides of the smallest rectangle around it
     MapSides warpHull(const Vec2& warp);
     /// A unit normal, and how far the warped hull reaches along it, from end to end.
@@ -85,6 +98,9 @@ private:
     /// parallel.
     static std::optional<MapSides> sidesOf(const Extent& a, const Extent& b);
 
+    /// Brings the light image to the hull's size, its greatest coordinate about the centre: so the
+    /// measure knows no unit, to the last bit.
+    double mScale = 1.0;
     SampleColumns mSamples;
     std::size_t mCount = 0;
     // The hull about the centre, and warped.

@@ -353,7 +353,7 @@ namespace {
 
 // A map of what stands still comes to rest: to the last bit, so that its texture can be kept.
 
-/// Where nothing moves a warp changes by at most 0.004 a frame, and the ends of all slices by at most
+/// Where nothing moves a warp changes by at most 0.003 a frame, and the ends of all slices by at most
 /// 0.0005 of ln 2.
 constexpr int MostFrames = 1500;
 /// So many alike are at rest: a search tries a direction after the other.
