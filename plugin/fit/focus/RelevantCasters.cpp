@@ -23,6 +23,7 @@ RelevantCasters::RelevantCasters(const ShadowProblem& problem, const LightImage&
       mLit(lit),
       mSeen(visible.seen()),
       mReceivers(visible.hull()),
+      mLarge(visible.large()),
       mInView(inView),
       mKept(kept),
       mScratch(scratch),
@@ -48,7 +49,7 @@ void RelevantCasters::addAll(const BoxSet& casters) {
 
     // A receiver without bounds may be behind any body.
     if (mProblem.receivers->unbounded() == 0)
-        mScratch.selfShadowFree.find(mProblem, mImage, mKept, mInView);
+        mScratch.selfShadowFree.find(mProblem, mImage, mKept, mInView, mLarge);
     else
         mScratch.selfShadowFree.clear();
 

@@ -54,6 +54,7 @@ private:
     const ConvexVolume& mLit;
     const ConvexVolume& mSeen;
     const ImageHull& mReceivers;
+    const LargeBodies& mLarge;
     const BoxSet& mInView;
     BoxSet& mKept;
     FocusScratch& mScratch;

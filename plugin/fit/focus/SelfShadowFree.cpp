@@ -7,10 +7,6 @@
 namespace Lixel {
 namespace {
 
-/// A body whose half extents add up to less than this part of the largest receiver's is left as it
-/// is: what it covers of itself is a small part of what is visible.
-constexpr double LeastSize = 0.25;
-
 /// A relief is left as it is where more than this part of it may face away from the light.
 constexpr double MostSlopes = 0.5;
 
@@ -35,24 +31,23 @@ bool SelfShadowFreeBodies::addSlopes(const SelfShadowFree& body, const LightImag
 }
 
 void SelfShadowFreeBodies::find(const ShadowProblem& problem, const LightImage& image,
-                                const BoxSet& casters, const BoxSet& receivers) {
+                                const BoxSet& casters, const BoxSet& receivers,
+                                const LargeBodies& large) {
     clear();
-    if (problem.casterShapes == nullptr || problem.receiverShapes == nullptr) return;
-    std::array<std::size_t, Most> largest;
-    std::array<const void*, Most> identities;
-    const std::size_t count = largestBoxes(receivers, largest);
-    for (std::size_t i = 0; i < count; ++i)
-        identities[i] = problem.receiverShapes->identityOf(receivers.origin(largest[i]));
-    if (count == 0) return;
-    const double least = LeastSize * receivers.box(largest[0]).halfExtents.sum();
-    const std::size_t casterCount = largestBoxes(casters, largest);
-    for (std::size_t k = 0; k < casterCount; ++k) {
-        if (casters.box(largest[k]).halfExtents.sum() < least) break;
+    if (problem.casterShapes == nullptr || large.indices().empty()) return;
+    std::array<const void*, LargeBodies::Most> identities;
+    const auto end =
+        std::ranges::transform(large.indices(), identities.begin(), [&](std::size_t i) {
+            return problem.receiverShapes->identityOf(receivers.origin(i));
+        }).out;
+    std::array<std::size_t, LargeBodies::Most> largest;
+    const std::size_t count = largestBoxes(casters, largest);
+    for (const std::size_t k : std::span(largest).first(count)) {
+        if (casters.box(k).halfExtents.sum() < large.leastSize()) break;
         SelfShadowFreeBody body;
-        body.caster = casters.origin(largest[k]);
+        body.caster = casters.origin(k);
         body.identity = problem.casterShapes->identityOf(body.caster);
         if (body.identity == nullptr) continue;
-        const auto end = identities.begin() + static_cast<std::ptrdiff_t>(count);
         if (std::find(identities.begin(), end, body.identity) == end) continue;
         SelfShadowFree known;
         if (!problem.casterShapes->isSelfShadowFree(body.caster, known) || !addSlopes(known, image))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/focus/LargeBodies.h"
 #include "fit/focus/LightImage.h"
 #include "fit/geometry/BodyHull.h"
 
@@ -27,11 +28,11 @@ struct SelfShadowFreeBody {
 */
 class SelfShadowFreeBodies {
 public:
-    static constexpr std::size_t Most = 8;
-
-    /// Finds those among the largest of both sets, subsets of the problem's.
+    /// Finds those among the largest of both sets, subsets of the problem's. What is smaller than
+    /// the largest receivers covers a small part of what is visible of itself.
+    /// @param large the largest of the receivers
     void find(const ShadowProblem& problem, const LightImage& image, const BoxSet& casters,
-              const BoxSet& receivers);
+              const BoxSet& receivers, const LargeBodies& large);
 
     void clear() {
         mCount = 0;
@@ -45,7 +46,7 @@ public:
 private:
     bool addSlopes(const SelfShadowFree& body, const LightImage& image);
 
-    std::array<SelfShadowFreeBody, Most> mBodies;
+    std::array<SelfShadowFreeBody, LargeBodies::Most> mBodies;
     std::size_t mCount = 0;
     std::vector<Aabb> mSlopes;
 };

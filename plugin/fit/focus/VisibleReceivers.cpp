@@ -15,12 +15,6 @@ void include(Vec2& range, double least, double greatest) {
     range = {std::min(range.x(), least), std::max(range.y(), greatest)};
 }
 
-/// Of how many receivers the lit surface is asked for; and those whose half extents add up to less
-/// than this part of the largest's are taken as they are: what faces away from the light is a small
-/// part of what is visible.
-constexpr std::size_t MostLarge = 8;
-constexpr double LargePart = 0.25;
-
 } // namespace
 
 VisibleReceivers::VisibleReceivers(const ShadowProblem& problem, const LightImage& image,
@@ -42,14 +36,7 @@ VisibleReceivers::VisibleReceivers(const ShadowProblem& problem, const LightImag
 
 void VisibleReceivers::addAll(const BoxSet& receivers) {
     keepReaching(receivers, mSeen.planes(), mScratch.afterFirstPlanes, mInView);
-    if (mProblem.receiverShapes != nullptr) {
-        std::array<std::size_t, MostLarge> largest;
-        const std::size_t count = largestBoxes(mInView, largest);
-        const auto sizeOf = [&](std::size_t i) {
-            return mInView.box(largest[i]).halfExtents.sum();
-        };
-        if (count > 0) mLarge = std::max(LargePart * sizeOf(0), sizeOf(count - 1));
-    }
+    if (mProblem.receiverShapes != nullptr) mLarge = LargeBodies(mInView);
     addAllBut(
         mInView, [this](const BoxSet::Block& block) { return lanesWithin(block); },
         [this](const Aabb& box, std::size_t index) {
@@ -73,7 +60,7 @@ void VisibleReceivers::add(const Aabb& box, std::size_t index) {
 }
 
 bool VisibleReceivers::addLitSurface(const Aabb& box, std::size_t index) {
-    if (mProblem.receiverShapes == nullptr || !(box.halfExtents.sum() >= mLarge)) return false;
+    if (!mLarge.holds(box)) return false;
     SelfShadowFree known;
     if (!mProblem.receiverShapes->isSelfShadowFree(index, known) ||
         !mScratch.litSurface.find(known, mImage))

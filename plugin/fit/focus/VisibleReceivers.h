@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/focus/FocusScratch.h"
+#include "fit/focus/LargeBodies.h"
 #include "fit/focus/LightVolume.h"
 
 #include <limits>
@@ -24,6 +25,8 @@ public:
 
     /// Hull of what was added, in the light image.
     const ImageHull& hull() const { return mScratch.receivers; }
+    /// The largest of the receivers in view, where their shapes are known.
+    const LargeBodies& large() const { return mLarge; }
     /// What is in view and lit, and in the problem's part.
     const ConvexVolume& seen() const { return mSeen; }
     /// Least and greatest distance along the light's axis, and depth in front of the viewer.
@@ -51,8 +54,9 @@ private:
     Gauge mLsDepth;
     Gauge mVsDepth;
     ConvexVolume mSeen;
-    /// Sum of half extents from which on a body is large.
-    double mLarge = 0.0;
+    /// Of the receivers in view, where their shapes are known; of others what faces away from the
+    /// light is a small part of what is visible.
+    LargeBodies mLarge;
     Vec2 mLsRange = Vec2(Infinity, -Infinity);
     Vec2 mVsRange = Vec2(Infinity, -Infinity);
 };
