@@ -64,8 +64,8 @@ ChangedMaps walk(std::uint64_t seed, bool hasBatches) {
         done += std::string(deed.name) + " of " + caster.getName() + "; ";
         deed.perform(scene, caster, random);
         if (random.oneIn(2)) continue;
-        // Where nothing changes, a map is drawn twice, and then kept.
-        for (int frames = random.of({1, 1, 4}); frames > 0; --frames) {
+        // Where nothing changes, a map is drawn until its fit rests, twice at least, and then kept.
+        for (int frames = random.of({1, 1, 8}); frames > 0; --frames) {
             all.maps.push_back(batches.drawMap());
             all.deeds.push_back(std::exchange(done, ""));
             all.drawCalls += batches.drawCalls();
